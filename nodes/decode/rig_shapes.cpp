@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/rig_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/input_file.h"
+#include "nodes/types/arkit.h"
+
+namespace face::decode {
+namespace {
+
+// Offsets below this are rounding of the file's decimals, not motion.
+constexpr float still_mm = 1e-4f;
+
+// Names are compared without case, '_', '-' and spaces.
+std::string bare(std::string_view name) {
+  std::string out;
+  for (const char c : lower(std::string(name)))
+    if (c != '_' && c != '-' && c != ' ') out += c;
+  return out;
+}
+
+std::optional<std::string> arkit_named(std::string_view name) {
+  const std::string wanted = bare(name);
+  for (const std::string_view known : arkit_names)
+    if (bare(known) == wanted) return std::string(known);
+  return std::nullopt;
+}
+
+bool ends_with_any_case(std::string_view name, std::string_view end) {
+  return name.size() > end.size() && lower(std::string(name.substr(name.size() - end.size()))) == end;
+}
+
+Shape sum(const Shape& a, const Shape& b) {
+  Shape out{a.name, {}, {}};
+  std::size_t i = 0, j = 0;
+  while (i < a.vertices.size() || j < b.vertices.size()) {
+    const std::uint32_t va = i < a.vertices.size() ? a.vertices[i] : UINT32_MAX;
+    const std::uint32_t vb = j < b.vertices.size() ? b.vertices[j] : UINT32_MAX;
+    Vec3f offset{};
+    for (std::size_t k = 0; k < 3; ++k)
+      offset[k] = (va <= vb ? a.offsets_mm[i][k] : 0) + (vb <= va ? b.offsets_mm[j][k] : 0);
+    out.vertices.push_back(std::min(va, vb));
+    out.offsets_mm.push_back(offset);
+    if (va <= vb) ++i;
+    if (vb <= va) ++j;
+  }
+  return out;
+}
+
+template <class Names>
+std::string joined(const Names& names) {
+  std::string out;
+  for (const auto& name : names) {
+    if (!out.empty()) out += ", ";
+    out += name;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string arkit_spelling(std::string_view name) {
+  if (const std::size_t dot = name.find_last_of('.'); dot != std::string_view::npos) name.remove_prefix(dot + 1);
+  if (const auto known = arkit_named(name)) return *known;
+  struct Side {
+    std::string_view end, spelled;
+  };
+  for (const Side side : {Side{"_left", "Left"}, Side{"_right", "Right"}, Side{"left", "Left"}, Side{"right", "Right"},
+                          Side{"_l", "Left"}, Side{"_r", "Right"}}) {
+    if (!ends_with_any_case(name, side.end)) continue;
+    const std::string base(name.substr(0, name.size() - side.end.size()));
+    if (const auto sided = arkit_named(base + std::string(side.spelled))) return *sided;
+    if (const auto whole = arkit_named(base)) return *whole;
+    return base + std::string(side.spelled);
+  }
+  return std::string(name);
+}
+
+void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offsets_mm) {
+  Shape shape{arkit_spelling(name), {}, {}};
+  for (std::size_t v = 0; v < offsets_mm.size(); ++v) {
+    const Vec3f& d = offsets_mm[v];
+    if (std::abs(d[0]) <= still_mm && std::abs(d[1]) <= still_mm && std::abs(d[2]) <= still_mm) continue;
+    shape.vertices.push_back(static_cast<std::uint32_t>(v));
+    shape.offsets_mm.push_back(d);
+  }
+  const auto same = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.name == shape.name; });
+  if (same == shapes_.end())
+    shapes_.push_back(std::move(shape));
+  else
+    *same = sum(*same, shape);
+}
+
+void ShapeCollector::finish(const std::string& title, Rig& rig) const {
+  std::vector<std::string> found, lacking;
+  for (const Shape& shape : shapes_) found.push_back(shape.name);
+  for (const std::string_view needed : needed_shapes)
+    if (std::find(found.begin(), found.end(), needed) == found.end()) lacking.emplace_back(needed);
+  if (!lacking.empty())
+    fail(title, ": lacks the shapes ", joined(lacking), "; a rig needs ", joined(needed_shapes), ". Found ",
+         found.empty() ? "no shapes" : joined(found));
+
+  rig.shapes.assign(arkit_count, {});
+  for (std::size_t s = 0; s < arkit_count; ++s) rig.shapes[s].name = arkit_names[s];
+  std::vector<bool> present(arkit_count, false);
+  for (const Shape& shape : shapes_) {
+    const std::size_t s = arkit_index(shape.name);
+    if (s == arkit_count) {
+      rig.shapes.push_back(shape);
+    } else {
+      rig.shapes[s] = shape;
+      present[s] = true;
+    }
+  }
+  rig.missing.clear();
+  for (std::size_t s = 0; s < arkit_count; ++s)
+    if (!present[s]) rig.missing.emplace_back(arkit_names[s]);
+}
+
+}  // namespace face::decode
