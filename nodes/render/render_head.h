@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "nodes/render/camera.h"
+#include "nodes/types/image.h"
+#include "nodes/types/rig.h"
+#include "nodes/types/weights.h"
+
+namespace face::render {
+
+struct RenderHeadOptions {
+  int width_px = 640;
+  int height_px = 640;
+  double yaw_deg = 0;               // the camera's place about the head; positive shows the head's left side
+  double pitch_deg = 0;             // positive looks down from above
+  double distance_mm = 0;           // from the middle of the face; 0 frames the face
+  double field_of_view_deg = 20;    // vertical
+  int samples = 2;                  // per pixel and axis
+  double background_red = 0.17;     // sRGB
+  double background_green = 0.19;
+  double background_blue = 0.22;
+};
+
+// A picture of the head at given weights: the posed mesh with smooth normals under a soft portrait light from the front.
+// Albedo is the part's times the vertex colour; a rig that has 68 landmarks but no vertex colours is painted (paint_face).
+// Parts that are not visible are left out. Same input, same picture, bit for bit.
+Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOptions& options = {});
+
+// The camera that render_head uses: it is found from the neutral mesh, so it stands still while the face moves.
+Camera head_camera(const Rig& rig, const RenderHeadOptions& options = {});
+
+}  // namespace face::render
