@@ -17,6 +17,8 @@ struct VertexRange {
 inline constexpr VertexRange ict_face = {0, 9408};
 inline constexpr VertexRange ict_mouth_socket = {11248, 13293};
 inline constexpr VertexRange ict_eye_sockets = {13294, 14061};
+// Upper lashes: one of the three cards of each eye (measured: connected pieces of M_EyeLashes).
+inline constexpr VertexRange ict_upper_lashes[] = {{25351, 25464}, {26035, 26148}};
 
 // Multi-PIE 68 landmarks as vertices of the ICT mesh, 0-based (ICT-FaceKit README, "Multi-PIE 68 Facial Landmarks").
 inline constexpr std::array<std::uint32_t, 68> ict_landmarks68 = {

@@ -25,7 +25,8 @@ struct Look {
 };
 
 // The sclera is a closed shell with the cornea bulging from it: it is what shows, and the ball with the iris inside is hidden
-// by it. Occlusion, blend and fluid shells are for renderers with transparency.
+// by it. Occlusion, blend and fluid shells are for renderers with transparency, and so are lash cards: solid, they look like
+// tape. Only the row of the upper cards at the lid stays, as a thin dark line.
 constexpr Look looks[] = {
     {"M_Face", "face", skin, 0.25f, true},
     {"M_BackHead", "head", skin, 0.2f, true},
@@ -40,9 +41,10 @@ constexpr Look looks[] = {
     {"M_LacrimalFluid", "eye_fluid", white, 1.0f, false},
     {"M_EyeBlend", "eye_blend", white, 0.5f, false},
     {"M_EyeOcclusion", "eye_occlusion", {0.2f, 0.12f, 0.1f}, 0.0f, false},
-    {"M_EyeLashes", "lashes", {0.10f, 0.07f, 0.06f}, 0.1f, true},
+    {"", "lashes", {0.12f, 0.08f, 0.07f}, 0.1f, true},
+    {"M_EyeLashes", "lash_cards", {0.12f, 0.08f, 0.07f}, 0.1f, false},
 };
-constexpr std::size_t mouth_socket_look = 2, eye_sockets_look = 3, other_look = 1;
+constexpr std::size_t mouth_socket_look = 2, eye_sockets_look = 3, lashes_look = 13, other_look = 1;
 
 Vec3f mix(const Vec3f& a, const Vec3f& b, float share) {
   Vec3f out;
@@ -58,12 +60,29 @@ float smooth_step(float low, float high, float x) {
   return t * t * (3 - 2 * t);
 }
 
+// Whether a vertex of the lashes is at their root or one row from it.
+bool is_lash_root(const Mesh& mesh, std::uint32_t v) {
+  constexpr float root_row_mm = 2.05f;
+  bool upper = false;
+  for (const VertexRange card : ict_upper_lashes) upper = upper || card.contains(v);
+  if (!upper) return false;
+  for (std::uint32_t f = ict_face.first; f <= ict_face.last; ++f)
+    if (distance(mesh.points_mm[f], mesh.points_mm[v]) <= root_row_mm) return true;
+  return false;
+}
+
 std::size_t look_of(const std::string& material, const Mesh& mesh, std::size_t polygon) {
   if (material == "M_BackHead")
     for (std::uint32_t i = mesh.polygon_starts[polygon]; i < mesh.polygon_starts[polygon + 1]; ++i) {
       if (ict_mouth_socket.contains(mesh.corners[i])) return mouth_socket_look;
       if (ict_eye_sockets.contains(mesh.corners[i])) return eye_sockets_look;
     }
+  if (material == "M_EyeLashes") {
+    bool at_root = true;
+    for (std::uint32_t i = mesh.polygon_starts[polygon]; i < mesh.polygon_starts[polygon + 1] && at_root; ++i)
+      at_root = is_lash_root(mesh, mesh.corners[i]);
+    if (at_root) return lashes_look;
+  }
   for (std::size_t i = 0; i < std::size(looks); ++i)
     if (!material.empty() && looks[i].material == material) return i;
   return other_look;

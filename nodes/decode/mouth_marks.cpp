@@ -122,20 +122,22 @@ std::vector<std::uint32_t> find_lower_lip(const Mouth& mouth, const std::vector<
   return rim;
 }
 
-// Front faces of the upper incisors: vertices of parts named after teeth that jawOpen leaves in place, that look forward,
-// within 16 mm of the midline.
+// The upper incisors as the lower lip may meet them: vertices of parts named after teeth that jawOpen leaves in place, that
+// look forward or down, within 16 mm of the midline and 10 mm of their edges (above are gums and roots).
 std::vector<std::uint32_t> find_upper_teeth(const Mouth& mouth, const std::vector<LipPair>& pairs) {
-  constexpr float half_width_mm = 16;
-  std::vector<bool> teeth = vertices_of_parts(mouth.mesh, "teeth");
-  const std::vector<bool> tooth = vertices_of_parts(mouth.mesh, "tooth");
+  constexpr float half_width_mm = 16, crown_mm = 10;
+  const std::vector<bool> teeth = vertices_of_parts(mouth.mesh, "teeth"), tooth = vertices_of_parts(mouth.mesh, "tooth");
   const std::vector<Vec3f>& points = mouth.mesh.points_mm;
   float middle = 0;
   for (const LipPair& pair : pairs) middle += points[pair.upper][0] / static_cast<float>(pairs.size());
   std::vector<std::uint32_t> front;
-  for (std::uint32_t v = 0; v < points.size(); ++v)
-    if ((teeth[v] || tooth[v]) && mouth.jaw[v] < 0.05f && std::abs(points[v][0] - middle) <= half_width_mm &&
-        mouth.normals[v][2] > 0.2f)
-      front.push_back(v);
+  float edge = std::numeric_limits<float>::max();
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (!(teeth[v] || tooth[v]) || mouth.jaw[v] > 0.05f || std::abs(points[v][0] - middle) > half_width_mm) continue;
+    edge = std::min(edge, points[v][1]);
+    if (mouth.normals[v][2] > 0.2f || mouth.normals[v][1] < -0.5f) front.push_back(v);
+  }
+  std::erase_if(front, [&](std::uint32_t v) { return points[v][1] > edge + crown_mm; });
   return front;
 }
 
