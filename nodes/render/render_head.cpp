@@ -2,17 +2,14 @@
 #include "nodes/render/render_head.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
+#include <vector>
 
 #include "nodes/base/check.h"
-#include "nodes/base/pose.h"
 #include "nodes/render/rasterize.h"
+#include "nodes/render/scene.h"
 #include "nodes/render/shade.h"
-#include "nodes/render/triangulate.h"
 
 namespace face::render {
 namespace {
@@ -31,97 +28,184 @@ struct Bounds {
   }
 };
 
-// The box of the part named "face", or of everything visible in a rig without one.
-Bounds face_bounds(const Mesh& mesh) {
-  const bool named = std::any_of(mesh.parts.begin(), mesh.parts.end(), [](const Part& p) { return p.name == "face"; });
+constexpr double margin = 1.12;  // of the picture over the head
+
+Bounds visible_bounds(const Mesh& mesh) {
   Bounds bounds;
   const auto add_polygons = [&](std::size_t first, std::size_t count) {
     for (std::size_t c = mesh.polygon_starts[first]; c < mesh.polygon_starts[first + count]; ++c)
       bounds.add(mesh.points_mm[mesh.corners[c]]);
   };
   for (const Part& part : mesh.parts)
-    if (named ? part.name == "face" : part.visible) add_polygons(part.first_polygon, part.polygon_count);
+    if (part.visible) add_polygons(part.first_polygon, part.polygon_count);
   if (mesh.parts.empty()) add_polygons(0, mesh.polygon_count());
   return bounds;
 }
 
-bool is_skin(const std::string& part) { return part == "face" || part == "head"; }
+// The box to show: the whole of a mesh that has no marks, else from the top of the head to a little below the chin,
+// without the shoulders. The chin is landmark 8, or a fifth of a head below the lips.
+Bounds head_bounds(const Rig& rig) {
+  Bounds bounds = visible_bounds(rig.neutral);
+  if (bounds.empty || (rig.landmarks68.size() != 68 && rig.inner_lips.empty())) return bounds;
+  const std::vector<Vec3f>& points = rig.neutral.points_mm;
+  float chin = 0, middle = 0, front = 0;
+  if (rig.landmarks68.size() == 68) {
+    chin = points[rig.landmarks68[8]][1];
+    middle = points[rig.landmarks68[30]][0];
+    front = points[rig.landmarks68[30]][2];
+  } else {
+    const Vec3f& lip = points[rig.inner_lips[rig.inner_lips.size() / 2].lower];
+    chin = lip[1] - 0.25f * (bounds.high[1] - lip[1]);
+    middle = lip[0];
+    front = lip[2];
+  }
+  const float height = bounds.high[1] - chin;
+  bounds.low[1] = std::max(bounds.low[1], chin - 0.22f * height);
+  const float half_width = std::min(0.5f * (bounds.high[0] - bounds.low[0]), 0.45f * height);
+  bounds.low[0] = middle - half_width;
+  bounds.high[0] = middle + half_width;
+  bounds.high[2] = front;
+  bounds.low[2] = front - 0.8f * height;
+  return bounds;
+}
 
-// What does not change from pixel to pixel.
-struct Scene {
-  std::vector<Vec3f> points_mm;
-  std::vector<Vec3f> normals;
-  std::vector<Vec3f> albedo;  // per vertex, linear; empty = 1
-  std::vector<ScreenPoint> screen;
-  Triangulation mesh;
-  struct Material {
-    Vec3f albedo;
-    float gloss;
-    float scatter;
-  };
-  std::vector<Material> materials;  // per part
-  Vec3f eye_mm;
+// The lashes have a raster of their own, no larger than they are.
+struct Overlay {
+  Raster raster;
+  std::vector<ScreenPoint> screen;  // V, shifted
+  int x0 = 0;                       // place in the picture's raster
+  int y0 = 0;
+
+  std::int32_t triangle_at(int x, int y) const {
+    const int column = x - x0, row = y - y0;
+    if (column < 0 || row < 0 || column >= raster.width_px || row >= raster.height_px) return -1;
+    return raster.triangles[raster.index(column, row)];
+  }
 };
 
-Vec3f shade_sample(const Scene& scene, std::int32_t triangle_index, int x, int y) {
+Overlay draw_lashes(const Scene& scene, const RasterOptions& whole) {
+  Overlay overlay;
+  float x0 = 1e9f, y0 = 1e9f, x1 = -1e9f, y1 = -1e9f;
+  for (const Triangle& t : scene.lashes.triangles)
+    for (const std::uint32_t v : t) {
+      x0 = std::min(x0, scene.screen[v].x_px);
+      x1 = std::max(x1, scene.screen[v].x_px);
+      y0 = std::min(y0, scene.screen[v].y_px);
+      y1 = std::max(y1, scene.screen[v].y_px);
+    }
+  const auto inside = [](float value, int size) { return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(size))); };
+  overlay.x0 = inside(std::floor(x0), whole.width_px);
+  overlay.y0 = inside(std::floor(y0), whole.height_px);
+  RasterOptions options = whole;
+  options.width_px = inside(std::ceil(x1) + 1, whole.width_px) - overlay.x0;
+  options.height_px = inside(std::ceil(y1) + 1, whole.height_px) - overlay.y0;
+  if (options.width_px <= 0 || options.height_px <= 0) return overlay;
+  overlay.screen = scene.screen;
+  for (ScreenPoint& point : overlay.screen) {
+    point.x_px -= static_cast<float>(overlay.x0);
+    point.y_px -= static_cast<float>(overlay.y0);
+  }
+  overlay.raster = rasterize(overlay.screen, scene.lashes.triangles, options);
+  return overlay;
+}
+
+struct Shaded {
+  Vec3f colour;
+  float opacity;
+};
+
+// screen: where the triangles were drawn; (x, y) in the same raster.
+Shaded shade_sample(const Scene& scene, const Triangulation& mesh, const std::vector<ScreenPoint>& screen,
+                    std::int32_t triangle_index, int x, int y) {
   const auto t = static_cast<std::size_t>(triangle_index);
-  const Triangle& triangle = scene.mesh.triangles[t];
-  const Scene::Material& material = scene.materials[scene.mesh.parts[t]];
-  const Vec3f b = barycentrics_at(scene.screen, triangle, static_cast<float>(x), static_cast<float>(y));
+  const Triangle& triangle = mesh.triangles[t];
+  const Scene::Material& material = scene.materials[mesh.parts[t]];
+  const Vec3f b = barycentrics_at(screen, triangle, static_cast<float>(x), static_cast<float>(y));
   const auto mix = [&](const std::vector<Vec3f>& values) {
     const Vec3f &p = values[triangle[0]], &q = values[triangle[1]], &r = values[triangle[2]];
     return Vec3f{b[0] * p[0] + b[1] * q[0] + b[2] * r[0], b[0] * p[1] + b[1] * q[1] + b[2] * r[1],
                  b[0] * p[2] + b[1] * q[2] + b[2] * r[2]};
   };
+  const auto mix_scalar = [&](const std::vector<float>& values) {
+    return b[0] * values[triangle[0]] + b[1] * values[triangle[1]] + b[2] * values[triangle[2]];
+  };
   Surface surface;
   surface.position_mm = mix(scene.points_mm);
   surface.normal = mix(scene.normals);
   surface.albedo = material.albedo;
-  if (!scene.albedo.empty()) {
-    const Vec3f tint = mix(scene.albedo);
+  if (!scene.tint.empty()) {
+    const Vec3f tint = mix(scene.tint);
     for (std::size_t c = 0; c < 3; ++c) surface.albedo[c] *= tint[c];
   }
   surface.gloss = material.gloss;
   surface.scatter = material.scatter;
-  return shade(surface, scene.eye_mm);
+  surface.exposure = mix_scalar(scene.exposure);
+  return {shade(surface, scene.eye_mm), mix_scalar(scene.opacity)};
+}
+
+struct Pictures {
+  const Scene& scene;
+  const Raster& opaque;
+  const Overlay& lashes;
+  Vec3f background;
+};
+
+bool lash_covers(const Pictures& pictures, int x, int y) {
+  const std::int32_t lash = pictures.lashes.triangle_at(x, y);
+  if (lash < 0) return false;
+  const Overlay& overlay = pictures.lashes;
+  return overlay.raster.inverse_depth_per_mm[overlay.raster.index(x - overlay.x0, y - overlay.y0)] >
+         pictures.opaque.inverse_depth_per_mm[pictures.opaque.index(x, y)];
+}
+
+Vec3f sample_colour(const Pictures& pictures, int x, int y) {
+  const Scene& scene = pictures.scene;
+  const std::int32_t triangle = pictures.opaque.triangles[pictures.opaque.index(x, y)];
+  Vec3f colour = pictures.background;
+  if (triangle >= 0) colour = shade_sample(scene, scene.opaque, scene.screen, triangle, x, y).colour;
+  if (lash_covers(pictures, x, y)) {
+    const Overlay& overlay = pictures.lashes;
+    const Shaded lash = shade_sample(scene, scene.lashes, overlay.screen, overlay.triangle_at(x, y), x - overlay.x0,
+                                     y - overlay.y0);
+    for (std::size_t c = 0; c < 3; ++c) colour[c] += lash.opacity * (lash.colour[c] - colour[c]);
+  }
+  // Clamped before the mean of the samples: an overbright one must not bleed over an edge.
+  for (float& channel : colour) channel = std::min(1.0f, channel);
+  return colour;
 }
 
 // Samples that see the same part at nearly the same depth differ by little: they are shaded once, at the first one.
-bool alike(const Scene& scene, const Raster& raster, int x, int y, int n) {
+bool alike(const Pictures& pictures, int x, int y, int n) {
+  const Raster& raster = pictures.opaque;
+  const std::vector<std::uint16_t>& parts = pictures.scene.opaque.parts;
   const std::size_t first = raster.index(x, y);
-  if (raster.triangles[first] < 0) return false;
-  const std::uint16_t part = scene.mesh.parts[static_cast<std::size_t>(raster.triangles[first])];
+  const std::int32_t triangle = raster.triangles[first];
   const float depth = raster.inverse_depth_per_mm[first];
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const std::size_t sample = raster.index(x + i, y + j);
-      const std::int32_t triangle = raster.triangles[sample];
-      if (triangle < 0 || scene.mesh.parts[static_cast<std::size_t>(triangle)] != part) return false;
+      const std::int32_t other = raster.triangles[sample];
+      if ((other < 0) != (triangle < 0)) return false;
+      if (triangle >= 0 && parts[static_cast<std::size_t>(other)] != parts[static_cast<std::size_t>(triangle)]) return false;
       if (std::abs(raster.inverse_depth_per_mm[sample] - depth) > 0.002f * depth) return false;
+      if (pictures.lashes.triangle_at(x + i, y + j) >= 0) return false;
     }
   return true;
 }
 
-Image resolve(const Scene& scene, const Raster& raster, const SrgbTable& srgb, const RenderHeadOptions& options) {
+Image resolve(const Pictures& pictures, const SrgbTable& srgb, const RenderHeadOptions& options) {
   const int n = options.samples;
-  const Vec3f background = {srgb.linear(static_cast<float>(options.background_red)),
-                            srgb.linear(static_cast<float>(options.background_green)),
-                            srgb.linear(static_cast<float>(options.background_blue))};
   Image image{options.width_px, options.height_px, 3, {}};
   image.pixels.resize(static_cast<std::size_t>(options.width_px) * static_cast<std::size_t>(options.height_px) * 3);
   std::uint8_t* out = image.pixels.data();
   for (int y = 0; y < options.height_px; ++y)
     for (int x = 0; x < options.width_px; ++x, out += 3) {
       Vec3f sum = {0, 0, 0};
-      const bool once = alike(scene, raster, x * n, y * n, n);
-      const int count = once ? 1 : n;
+      const int count = alike(pictures, x * n, y * n, n) ? 1 : n;
       for (int j = 0; j < count; ++j)
         for (int i = 0; i < count; ++i) {
-          const int sx = x * n + i, sy = y * n + j;
-          const std::int32_t triangle = raster.triangles[raster.index(sx, sy)];
-          const Vec3f colour = triangle < 0 ? background : shade_sample(scene, triangle, sx, sy);
-          // Clamped before the mean: an overbright sample must not bleed over an edge.
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += std::min(1.0f, colour[c]);
+          const Vec3f colour = sample_colour(pictures, x * n + i, y * n + j);
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
         }
       const float scale = 1.0f / static_cast<float>(count * count);
       for (std::size_t c = 0; c < 3; ++c) out[c] = srgb.encoded(sum[c] * scale);
@@ -132,7 +216,7 @@ Image resolve(const Scene& scene, const Raster& raster, const SrgbTable& srgb, c
 }  // namespace
 
 Camera head_camera(const Rig& rig, const RenderHeadOptions& options) {
-  const Bounds bounds = face_bounds(rig.neutral);
+  const Bounds bounds = head_bounds(rig);
   check(!bounds.empty, "the rig has no visible polygon to render");
   Vec3f centre;
   for (std::size_t i = 0; i < 3; ++i) centre[i] = 0.5f * (bounds.low[i] + bounds.high[i]);
@@ -140,8 +224,8 @@ Camera head_camera(const Rig& rig, const RenderHeadOptions& options) {
   if (distance == 0) {
     const double half_tan = std::tan(0.5 * options.field_of_view_deg * std::numbers::pi / 180.0);
     const double aspect = static_cast<double>(options.width_px) / options.height_px;
-    const double extent = std::max(bounds.high[1] - bounds.low[1], (bounds.high[0] - bounds.low[0]) / static_cast<float>(aspect));
-    distance = 0.5 * 1.15 * extent / half_tan + 0.5 * (bounds.high[2] - bounds.low[2]);
+    const double height = bounds.high[1] - bounds.low[1], width = bounds.high[0] - bounds.low[0];
+    distance = 0.5 * margin * std::max(height, width / aspect) / half_tan + 0.5 * (bounds.high[2] - bounds.low[2]);
   }
   return orbit_camera(centre, static_cast<float>(distance), static_cast<float>(options.yaw_deg),
                       static_cast<float>(options.pitch_deg), static_cast<float>(options.field_of_view_deg),
@@ -156,27 +240,19 @@ Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOption
   check(neutral.colors_srgb.empty() || neutral.colors_srgb.size() == neutral.points_mm.size(), "the rig has ",
         neutral.colors_srgb.size(), " vertex colours, but ", neutral.points_mm.size(), " vertices");
   const SrgbTable srgb;
-  Scene scene;
-  scene.points_mm = pose_points(rig, weights);
-  scene.mesh = triangulate(neutral);
-  scene.normals = vertex_normals(scene.points_mm, scene.mesh.triangles);
-  scene.albedo.resize(neutral.colors_srgb.size());
-  for (std::size_t v = 0; v < scene.albedo.size(); ++v)
-    for (std::size_t c = 0; c < 3; ++c) scene.albedo[v][c] = srgb.linear(neutral.colors_srgb[v][c]);
-  for (const Part& part : neutral.parts) {
-    Scene::Material material{part.albedo_srgb, part.gloss, is_skin(part.name) ? 1.0f : 0.0f};
-    for (float& channel : material.albedo) channel = srgb.linear(channel);
-    scene.materials.push_back(material);
-  }
-  if (scene.materials.empty()) scene.materials.push_back({{0.6f, 0.6f, 0.6f}, 0.2f, 0.0f});
   const Camera camera = supersampled(head_camera(rig, options), options.samples);
-  scene.eye_mm = camera.position_mm;
-  scene.screen = project(camera, scene.points_mm);
+  Scene scene = make_scene(rig, weights, camera, srgb);
   RasterOptions raster_options;
   raster_options.width_px = options.width_px * options.samples;
   raster_options.height_px = options.height_px * options.samples;
   raster_options.culling = Culling::none;
-  return resolve(scene, rasterize(scene.screen, scene.mesh.triangles, raster_options), srgb, options);
+  const Raster opaque = rasterize(scene.screen, scene.opaque.triangles, raster_options);
+  add_screen_occlusion(opaque, camera, scene);
+  const Overlay lashes = draw_lashes(scene, raster_options);
+  const Vec3f background = {srgb.linear(static_cast<float>(options.background_red)),
+                            srgb.linear(static_cast<float>(options.background_green)),
+                            srgb.linear(static_cast<float>(options.background_blue))};
+  return resolve({scene, opaque, lashes, background}, srgb, options);
 }
 
 }  // namespace face::render

@@ -64,7 +64,8 @@ Vec3f shade(const Surface& surface, const Vec3f& eye_mm) {
   Vec3f diffuse = {0, 0, 0};
   add_diffuse(key, normal, surface.scatter, diffuse);
   add_diffuse(fill, normal, surface.scatter, diffuse);
-  add_diffuse(rim, normal, 0, diffuse);
+  const float grazing = std::max(0.0f, dot(normal, rim.direction));
+  for (std::size_t c = 0; c < 3; ++c) diffuse[c] += rim.colour[c] * grazing * grazing;  // squared: no edge where it begins
   const float up = 0.5f + 0.5f * normal[1];
   for (std::size_t c = 0; c < 3; ++c) diffuse[c] += ground[c] + (sky[c] - ground[c]) * up;
   const int doublings = 3 + static_cast<int>(surface.gloss * 5.5f);  // exponents 8 to 256

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/render/mouth_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace face::render {
+namespace {
+
+struct Opening {
+  Vec3f centre_mm = {0, 0, 0};
+  float area_mm2 = 0;
+};
+
+bool is_in_mouth(const std::string& part) {
+  constexpr std::array<std::string_view, 4> words = {"mouth", "gum", "tongue", "teeth"};
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return part.find(word) != std::string::npos; });
+}
+
+Vec3f mean_of(const std::vector<Vec3f>& points) {
+  Vec3f sum = {0, 0, 0};
+  for (const Vec3f& p : points)
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += p[axis] / static_cast<float>(points.size());
+  return sum;
+}
+
+// Area of the frontal projection; lips that overlap give nothing.
+float front_area(const std::vector<Vec3f>& outline) {
+  float twice = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec3f &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    twice += a[0] * b[1] - a[1] * b[0];
+  }
+  return 0.5f * std::abs(twice);
+}
+
+Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f& front_of_mouth) {
+  std::vector<Vec3f> outline;
+  if (rig.landmarks68.size() == 68) {
+    for (std::size_t i = 60; i < 68; ++i) outline.push_back(points[rig.landmarks68[i]]);
+    return {mean_of(outline), front_area(outline)};
+  }
+  if (!rig.inner_lips.empty()) {
+    float low = 1e9f, high = -1e9f, height = 0;
+    for (const LipPair& pair : rig.inner_lips) {
+      outline.push_back(points[pair.upper]);
+      outline.push_back(points[pair.lower]);
+      low = std::min(low, points[pair.upper][0]);
+      high = std::max(high, points[pair.upper][0]);
+      height += std::max(0.0f, points[pair.upper][1] - points[pair.lower][1]) / static_cast<float>(rig.inner_lips.size());
+    }
+    return {mean_of(outline), height * std::max(high - low, 30.0f)};  // the pairs are about the middle only
+  }
+  return {front_of_mouth, 35.0f * 20.0f};
+}
+
+}  // namespace
+
+std::vector<float> mouth_exposure(const Rig& rig, const std::vector<Vec3f>& points_mm) {
+  constexpr float gain = 1.5f;      // the eye expects to see the teeth; walls of a mouth pass light on
+  constexpr float darkest = 0.012f;
+  std::vector<float> exposure(points_mm.size(), 1.0f);
+  std::vector<bool> inside(points_mm.size(), false);
+  bool any = false;
+  Vec3f front = {0, 0, -1e9f};
+  const Mesh& mesh = rig.neutral;
+  for (const Part& part : mesh.parts) {
+    if (!part.visible || !is_in_mouth(part.name)) continue;
+    any = true;
+    const std::uint32_t end = mesh.polygon_starts[part.first_polygon + part.polygon_count];
+    for (std::uint32_t c = mesh.polygon_starts[part.first_polygon]; c < end; ++c) {
+      const std::uint32_t v = mesh.corners[c];
+      inside[v] = true;
+      if (points_mm[v][2] > front[2]) front = points_mm[v];
+    }
+  }
+  if (!any) return exposure;
+  const Opening opening = opening_of(rig, points_mm, front);
+  for (std::size_t v = 0; v < points_mm.size(); ++v) {
+    if (!inside[v]) continue;
+    const Vec3f& p = points_mm[v];
+    const float dx = p[0] - opening.centre_mm[0], dy = p[1] - opening.centre_mm[1];
+    // Beside the opening counts half: the lips are no tube, light comes from the sides as well.
+    const float dz = p[2] - opening.centre_mm[2];
+    const float squared = 0.35f * (dx * dx + dy * dy) + dz * dz;
+    const float share = opening.area_mm2 / (opening.area_mm2 + std::numbers::pi_v<float> * squared);
+    exposure[v] = std::clamp(gain * share, darkest, 0.999f);  // never 1, which says "outside"
+  }
+  return exposure;
+}
+
+}  // namespace face::render
