@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/input_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,19 +11,46 @@
 
 namespace face::decode {
 
-std::string read_bytes_at(const std::string& path, const std::string& title) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), &std::fclose);
+namespace {
+
+using Handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+Handle open(const std::string& path, const std::string& title) {
+  Handle in(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!in) fail(title, ": cannot be opened: ", std::strerror(errno));
-  std::string bytes;
-  if (std::fseek(in.get(), 0, SEEK_END) == 0) {
-    const long size = std::ftell(in.get());
-    std::rewind(in.get());
-    if (size > 0) bytes.reserve(static_cast<std::size_t>(size));
-  }
-  char buffer[1 << 16];
-  for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, in.get())) > 0;) bytes.append(buffer, got);
-  if (std::ferror(in.get())) fail(title, ": cannot be read after byte ", bytes.size(), ": ", std::strerror(errno));
+  return in;
+}
+
+std::uint64_t size_of(std::FILE* in) {
+  const bool known = std::fseek(in, 0, SEEK_END) == 0;
+  const long size = known ? std::ftell(in) : 0;
+  std::rewind(in);
+  return size > 0 ? static_cast<std::uint64_t>(size) : 0;
+}
+
+std::string read(std::FILE* in, std::size_t count, const std::string& title) {
+  std::string bytes(count, '\0');
+  bytes.resize(std::fread(bytes.data(), 1, count, in));
+  if (std::ferror(in)) fail(title, ": cannot be read after byte ", bytes.size(), ": ", std::strerror(errno));
   return bytes;
+}
+
+}  // namespace
+
+std::string read_bytes_at(const std::string& path, const std::string& title) {
+  const Handle in = open(path, title);
+  return read(in.get(), static_cast<std::size_t>(size_of(in.get())), title);
+}
+
+FileStart read_start(const engine::File& file, std::size_t count, const std::string& expected) {
+  const std::string title = title_of(file);
+  check(!file.is_folder(), title, ": is a folder, expected ", expected);
+  check(!file.in_memory(), title, ": is not on disk");
+  const Handle in = open(file.path(), title);
+  FileStart start{{}, size_of(in.get())};
+  start.bytes = read(in.get(), static_cast<std::size_t>(std::min<std::uint64_t>(count, start.size)), title);
+  check(!start.bytes.empty(), title, ": is empty (0 bytes), expected ", expected);
+  return start;
 }
 
 std::string title_of(const engine::File& file) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/av_input.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+}
+
+#include <limits>
+#include <utility>
+
+#include "nodes/base/check.h"
+
+namespace face::decode {
+namespace {
+
+std::string list_streams(const AVFormatContext& format) {
+  std::string out;
+  for (unsigned i = 0; i < format.nb_streams; ++i) {
+    const AVCodecParameters& codec = *format.streams[i]->codecpar;
+    const char* kind = av_get_media_type_string(codec.codec_type);
+    if (!out.empty()) out += ", ";
+    out += std::string(kind ? kind : "data") + " " + avcodec_get_name(codec.codec_id);
+  }
+  return out.empty() ? "nothing" : out;
+}
+
+}  // namespace
+
+std::string av_error_text(int code) {
+  char text[AV_ERROR_MAX_STRING_SIZE] = {};
+  av_strerror(code, text, sizeof text);
+  return text;
+}
+
+AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_(std::move(title)) {
+  av_log_set_level(AV_LOG_QUIET);  // what matters comes back as error codes
+  const char* expected = kind == Kind::audio ? "a recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"
+                                             : "a video file (MP4, MOV, MPEG, AVI, MKV, WebM)";
+  // "file:" keeps a path with a colon from being taken for a protocol.
+  int code = avformat_open_input(&format_, ("file:" + path).c_str(), nullptr, nullptr);
+  if (code < 0) fail(title_, ": cannot be read: ", av_error_text(code), "; expected ", expected);
+  try {
+    code = avformat_find_stream_info(format_, nullptr);
+    if (code < 0) fail(title_, ": cannot be read: ", av_error_text(code), "; expected ", expected);
+    const AVCodec* decoder = nullptr;
+    const AVMediaType type = kind == Kind::audio ? AVMEDIA_TYPE_AUDIO : AVMEDIA_TYPE_VIDEO;
+    const int index = av_find_best_stream(format_, type, -1, -1, &decoder, 0);
+    if (index == AVERROR_STREAM_NOT_FOUND)
+      fail(title_, ": has no ", kind == Kind::audio ? "sound" : "pictures", ": found ", list_streams(*format_), ", expected ",
+           expected);
+    if (index < 0 || !decoder) fail(title_, ": no decoder for ", list_streams(*format_), "; expected ", expected);
+    stream_ = format_->streams[index];
+    for (unsigned i = 0; i < format_->nb_streams; ++i)
+      if (format_->streams[i] != stream_) format_->streams[i]->discard = AVDISCARD_ALL;
+    codec_ = avcodec_alloc_context3(decoder);
+    check(codec_ != nullptr, title_, ": no memory for its decoder");
+    code = avcodec_parameters_to_context(codec_, stream_->codecpar);
+    codec_->thread_count = 1;
+    codec_->flags |= AV_CODEC_FLAG_BITEXACT;
+    codec_->pkt_timebase = stream_->time_base;
+    if (code >= 0) code = avcodec_open2(codec_, decoder, nullptr);
+    if (code < 0) fail(title_, ": its ", decoder->name, " decoder cannot be opened: ", av_error_text(code));
+  } catch (...) {
+    avcodec_free_context(&codec_);
+    avformat_close_input(&format_);
+    throw;
+  }
+}
+
+AvInput::~AvInput() {
+  avcodec_free_context(&codec_);
+  avformat_close_input(&format_);
+}
+
+void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
+  const auto free_packet = [](AVPacket* p) { av_packet_free(&p); };
+  const auto free_frame = [](AVFrame* f) { av_frame_free(&f); };
+  const std::unique_ptr<AVPacket, decltype(free_packet)> packet(av_packet_alloc(), free_packet);
+  const std::unique_ptr<AVFrame, decltype(free_frame)> frame(av_frame_alloc(), free_frame);
+  std::int64_t byte = 0;
+  const auto receive = [&] {
+    for (;;) {
+      const int code = avcodec_receive_frame(codec_, frame.get());
+      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+      if (code < 0) fail(title_, " near byte ", byte, ": cannot be decoded: ", av_error_text(code));
+      use(*frame);
+      av_frame_unref(frame.get());
+    }
+  };
+  for (;;) {
+    int code = av_read_frame(format_, packet.get());
+    if (code == AVERROR_EOF) break;
+    if (code < 0) fail(title_, " near byte ", byte, ": cannot be read: ", av_error_text(code));
+    if (packet->stream_index == stream_->index) {
+      if (packet->pos >= 0) byte = packet->pos;
+      code = avcodec_send_packet(codec_, packet.get());
+      if (code < 0 && code != AVERROR(EAGAIN))
+        fail(title_, " near byte ", byte, ": cannot be decoded: ", av_error_text(code));
+      receive();
+    }
+    av_packet_unref(packet.get());
+  }
+  avcodec_send_packet(codec_, nullptr);
+  receive();
+}
+
+double AvInput::time_s(const AVFrame& frame) const {
+  if (frame.best_effort_timestamp == AV_NOPTS_VALUE) return -std::numeric_limits<double>::infinity();
+  const double start = format_->start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->start_time) / AV_TIME_BASE;
+  return static_cast<double>(frame.best_effort_timestamp) * av_q2d(stream_->time_base) - start;
+}
+
+double AvInput::stated_duration_s() const {
+  if (stream_->duration != AV_NOPTS_VALUE) return static_cast<double>(stream_->duration) * av_q2d(stream_->time_base);
+  return format_->duration == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->duration) / AV_TIME_BASE;
+}
+
+}  // namespace face::decode

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+struct AVFormatContext;
+struct AVCodecContext;
+struct AVStream;
+struct AVFrame;
+
+namespace face::decode {
+
+// One stream of a media file, decoded in order by FFmpeg's libraries with a single thread: the same frames every time.
+class AvInput {
+ public:
+  enum class Kind { audio, video };
+
+  // Throws where the file cannot be opened, is no media file, or has no stream of the kind.
+  AvInput(const std::string& path, std::string title, Kind kind);
+  ~AvInput();
+  AvInput(const AvInput&) = delete;
+  AvInput& operator=(const AvInput&) = delete;
+
+  // Calls once per decoded frame, in display order. Throws at data that cannot be decoded, with the byte.
+  void for_each_frame(const std::function<void(const AVFrame&)>& use);
+
+  const AVCodecContext& codec() const { return *codec_; }
+  const AVStream& stream() const { return *stream_; }
+  AVFormatContext& format() { return *format_; }
+  // Seconds from the start of the file of a frame's time stamp; negative infinity where it has none.
+  double time_s(const AVFrame& frame) const;
+  // What the file says it lasts, in seconds; 0 where it does not.
+  double stated_duration_s() const;
+
+ private:
+  std::string title_;
+  AVFormatContext* format_ = nullptr;
+  AVCodecContext* codec_ = nullptr;
+  AVStream* stream_ = nullptr;
+};
+
+// FFmpeg's text for an error code.
+std::string av_error_text(int code);
+
+}  // namespace face::decode
