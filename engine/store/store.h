@@ -112,6 +112,8 @@ class Store {
   virtual void pin(const std::string& name, const std::vector<Digest>& digests) = 0;
   virtual void unpin(const std::string& name) = 0;
   virtual VerifyResult verify() = 0;
+  // Digests that get() and file_path() found damaged, and removed, since the last call: for a warning.
+  virtual std::vector<Digest> take_damaged() = 0;
   virtual const std::string& folder() const = 0;
 };
 

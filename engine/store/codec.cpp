@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/codec.h"
+
+namespace engine::store {
+
+Bytes encode_outputs(const std::vector<OutputRecord>& outputs) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  writer.count(outputs.size());
+  for (const OutputRecord& output : outputs) {
+    writer.number<std::uint8_t>(output.sequence ? 1 : 0);
+    writer.count(output.elements.size());
+    for (const OutputRecord::Element& element : output.elements) {
+      writer.raw(element.identity.bytes.data(), element.identity.bytes.size());
+      writer.text(element.id);
+    }
+  }
+  return bytes;
+}
+
+std::vector<OutputRecord> decode_outputs(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  std::vector<OutputRecord> outputs(reader.count(9));
+  for (OutputRecord& output : outputs) {
+    output.sequence = reader.number<std::uint8_t>() != 0;
+    output.elements.resize(reader.count(40));
+    for (OutputRecord::Element& element : output.elements) {
+      reader.raw(element.identity.bytes.data(), element.identity.bytes.size());
+      element.id = reader.text();
+    }
+  }
+  return outputs;
+}
+
+Bytes encode_details(const TaskRecord& record) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  writer.number(record.seconds);
+  writer.count(record.warnings.size());
+  for (const std::string& warning : record.warnings) writer.text(warning);
+  writer.count(record.parts.size());
+  for (const KeyPart& part : record.parts) {
+    writer.text(part.label);
+    writer.text(part.value);
+    writer.text(part.origin);
+  }
+  return bytes;
+}
+
+void decode_details(std::span<const std::uint8_t> bytes, TaskRecord& record) {
+  ByteReader reader(bytes);
+  record.seconds = reader.number<double>();
+  record.warnings.resize(reader.count(8));
+  for (std::string& warning : record.warnings) warning = reader.text();
+  record.parts.resize(reader.count(24));
+  for (KeyPart& part : record.parts) {
+    part.label = reader.text();
+    part.value = reader.text();
+    part.origin = reader.text();
+  }
+}
+
+Bytes encode_history(const NodeHistory& history) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  writer.count(history.entries.size());
+  for (const NodeHistory::Entry& entry : history.entries) {
+    writer.raw(entry.key.bytes.data(), entry.key.bytes.size());
+    writer.text(entry.element);
+  }
+  return bytes;
+}
+
+NodeHistory decode_history(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  NodeHistory history;
+  history.entries.resize(reader.count(40));
+  for (NodeHistory::Entry& entry : history.entries) {
+    reader.raw(entry.key.bytes.data(), entry.key.bytes.size());
+    entry.element = reader.text();
+  }
+  return history;
+}
+
+}  // namespace engine::store

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/index.h"
+
+#include <sqlite3.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <unordered_map>
+
+#include "engine/base/problem.h"
+#include "engine/store/codec.h"
+#include "engine/store/posix.h"
+
+namespace engine::store {
+namespace {
+
+constexpr int kFormat = 1;
+
+// Keys are digests, so rows of the tables that are read most lie in the tree of the key itself. The outputs of a record stand
+// apart from what only `explain` reads: 75,000 of them fit the page cache.
+constexpr const char* kSchema = R"(
+CREATE TABLE meta(name TEXT PRIMARY KEY, value INTEGER) WITHOUT ROWID;
+CREATE TABLE outputs(key BLOB PRIMARY KEY, outputs BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE details(key BLOB PRIMARY KEY, details BLOB NOT NULL);
+CREATE TABLE small_values(digest BLOB PRIMARY KEY, bytes BLOB NOT NULL, used_ns INTEGER NOT NULL);
+CREATE TABLE histories(graph TEXT, node TEXT, written_ns INTEGER NOT NULL, entries BLOB NOT NULL, PRIMARY KEY(graph, node));
+CREATE TABLE pins(name TEXT, digest BLOB, PRIMARY KEY(name, digest)) WITHOUT ROWID;
+CREATE TABLE file_digests(device INTEGER, inode INTEGER, size INTEGER, mtime_ns INTEGER, ctime_ns INTEGER,
+                          digest BLOB NOT NULL, PRIMARY KEY(device, inode)) WITHOUT ROWID;
+)";
+
+enum Statement {
+  kOutputs, kDetails, kValue, kValueUsed, kHistory, kFileDigest,
+  kPutOutputs, kPutDetails, kPutValue, kUseValue, kPutHistory, kPutFileDigest,
+  kPutPin, kDeletePins, kPins, kSmallValues, kDeleteValue, kRecordCount, kStatements
+};
+
+constexpr const char* kSql[kStatements] = {
+    "SELECT outputs FROM outputs WHERE key = ?1",
+    "SELECT details FROM details WHERE key = ?1",
+    "SELECT bytes, used_ns FROM small_values WHERE digest = ?1",
+    "SELECT used_ns FROM small_values WHERE digest = ?1",
+    "SELECT written_ns, entries FROM histories WHERE graph = ?1 AND node = ?2",
+    "SELECT size, mtime_ns, ctime_ns, digest FROM file_digests WHERE device = ?1 AND inode = ?2",
+    "INSERT OR REPLACE INTO outputs VALUES(?1, ?2)",
+    "INSERT OR REPLACE INTO details VALUES(?1, ?2)",
+    "INSERT INTO small_values VALUES(?1, ?2, ?3) ON CONFLICT(digest) DO UPDATE SET used_ns = excluded.used_ns",
+    "UPDATE small_values SET used_ns = ?2 WHERE digest = ?1",
+    "INSERT INTO histories VALUES(?1, ?2, ?3, ?4) ON CONFLICT(graph, node) DO UPDATE"
+    " SET written_ns = excluded.written_ns, entries = excluded.entries WHERE excluded.written_ns >= written_ns",
+    "INSERT OR REPLACE INTO file_digests VALUES(?1, ?2, ?3, ?4, ?5, ?6)",
+    "INSERT OR IGNORE INTO pins VALUES(?1, ?2)",
+    "DELETE FROM pins WHERE name = ?1",
+    "SELECT name, digest FROM pins",
+    "SELECT digest, length(bytes), used_ns FROM small_values",
+    "DELETE FROM small_values WHERE digest = ?1",
+    "SELECT count(*) FROM outputs",
+};
+
+}  // namespace
+
+class Index::Connection {
+ public:
+  Connection(const std::string& folder, const std::string& path) : folder_(folder), path_(path) {
+    const int code =
+        sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
+    if (code != SQLITE_OK) {
+      try {
+        fail();
+      } catch (...) {
+        sqlite3_close(handle);
+        throw;
+      }
+    }
+    sqlite3_busy_timeout(handle, 60'000);
+  }
+  ~Connection() {
+    for (sqlite3_stmt* const statement : statements_) sqlite3_finalize(statement);
+    sqlite3_close(handle);
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void run(const char* sql) {
+    if (sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+  }
+  std::int64_t number(const char* sql) {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(handle, sql, -1, &statement, nullptr) != SQLITE_OK) fail();
+    const bool row = sqlite3_step(statement) == SQLITE_ROW;
+    const std::int64_t value = row ? sqlite3_column_int64(statement, 0) : 0;
+    if (sqlite3_finalize(statement) != SQLITE_OK) fail();
+    return value;
+  }
+  sqlite3_stmt* statement(Statement which) {
+    sqlite3_stmt*& prepared = statements_[which];
+    if (prepared == nullptr &&
+        sqlite3_prepare_v3(handle, kSql[which], -1, SQLITE_PREPARE_PERSISTENT, &prepared, nullptr) != SQLITE_OK)
+      fail();
+    return prepared;
+  }
+
+  [[noreturn]] void fail() const {
+    const int code = handle == nullptr ? SQLITE_NOMEM : sqlite3_errcode(handle);
+    const int system = handle == nullptr ? 0 : sqlite3_system_errno(handle);
+    switch (code & 0xff) {
+      case SQLITE_FULL: fail_store(folder_, path_, ENOSPC);
+      case SQLITE_READONLY: fail_store(folder_, path_, EACCES);
+      case SQLITE_CANTOPEN: fail_store(folder_, path_, system != 0 ? system : EACCES);
+      case SQLITE_IOERR: fail_store(folder_, path_, system != 0 ? system : EIO);
+      case SQLITE_CORRUPT:
+      case SQLITE_NOTADB:
+        throw EngineError("the index of the store in " + folder_ + " is damaged (" + sqlite3_errmsg(handle) + ": " + path_ +
+                          "): delete that folder, or choose another with --store");
+      case SQLITE_BUSY:
+        throw EngineError("the index of the store in " + folder_ + " stays locked by another process (" + path_ +
+                          "): end that process, or choose another folder with --store");
+      default:
+        throw EngineError("the index of the store in " + folder_ + " cannot be used (" +
+                          (handle == nullptr ? "out of memory" : sqlite3_errmsg(handle)) + ": " + path_ +
+                          "): check that disk, or choose another folder with --store");
+    }
+  }
+
+  sqlite3* handle = nullptr;
+
+ private:
+  const std::string folder_, path_;
+  sqlite3_stmt* statements_[kStatements] = {};
+};
+
+// One use of a prepared statement. Bound bytes are not copied: they must live as long as the query.
+class Index::Query {
+ public:
+  Query(Connection& connection, Statement which) : connection_(connection), statement_(connection.statement(which)) {}
+  ~Query() { sqlite3_reset(statement_); }
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
+
+  Query& bind(const Digest& digest) {
+    sqlite3_bind_blob(statement_, ++bound_, digest.bytes.data(), static_cast<int>(digest.bytes.size()), SQLITE_STATIC);
+    return *this;
+  }
+  Query& bind(const Bytes& bytes) {
+    // A null pointer would bind NULL.
+    sqlite3_bind_blob64(statement_, ++bound_, bytes.empty() ? static_cast<const void*>("") : bytes.data(), bytes.size(),
+                        SQLITE_STATIC);
+    return *this;
+  }
+  Query& bind(const std::string& text) {
+    sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
+    return *this;
+  }
+  Query& bind(std::int64_t number) {
+    sqlite3_bind_int64(statement_, ++bound_, number);
+    return *this;
+  }
+  Query& bind(std::uint64_t number) { return bind(static_cast<std::int64_t>(number)); }
+
+  bool row() {
+    const int code = sqlite3_step(statement_);
+    if (code == SQLITE_ROW) return true;
+    if (code != SQLITE_DONE) connection_.fail();
+    return false;
+  }
+  void run() {
+    row();
+    sqlite3_reset(statement_);
+    bound_ = 0;
+  }
+
+  std::span<const std::uint8_t> blob(int column) const {
+    const void* const data = sqlite3_column_blob(statement_, column);
+    return {static_cast<const std::uint8_t*>(data), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
+  }
+  Bytes bytes(int column) const {
+    const auto found = blob(column);
+    return {found.begin(), found.end()};
+  }
+  Digest digest(int column) const {
+    Digest value;
+    const auto found = blob(column);
+    if (found.size() == value.bytes.size()) std::memcpy(value.bytes.data(), found.data(), found.size());
+    return value;
+  }
+  std::string text(int column) const {
+    const auto found = blob(column);
+    return {found.begin(), found.end()};
+  }
+  std::int64_t number(int column) const { return sqlite3_column_int64(statement_, column); }
+
+ private:
+  Connection& connection_;
+  sqlite3_stmt* const statement_;
+  int bound_ = 0;
+};
+
+namespace {
+
+// A write transaction: rolled back unless committed.
+template <class Connection>
+class Transaction {
+ public:
+  explicit Transaction(Connection& connection) : connection_(connection) { connection_.run("BEGIN IMMEDIATE"); }
+  ~Transaction() {
+    if (open_) sqlite3_exec(connection_.handle, "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit() {
+    connection_.run("COMMIT");
+    open_ = false;
+  }
+
+ private:
+  Connection& connection_;
+  bool open_ = true;
+};
+
+}  // namespace
+
+Index::Index(const std::string& folder) : folder_(folder), path_(folder + "/index.sqlite") {
+  reader_ = std::make_unique<Connection>(folder_, path_);
+  if (reader_->number("SELECT count(*) FROM sqlite_master WHERE name = 'meta'") == 0) {
+    reader_->run("PRAGMA journal_mode = WAL");
+    Transaction transaction(*reader_);
+    reader_->run(kSchema);
+    reader_->run(("INSERT INTO meta VALUES('format', " + std::to_string(kFormat) + ")").c_str());
+    transaction.commit();
+  }
+  const std::int64_t format = reader_->number("SELECT value FROM meta WHERE name = 'format'");
+  if (format != kFormat)
+    throw EngineError("the store in " + folder_ + " has format " + std::to_string(format) + ", this program reads format " +
+                      std::to_string(kFormat) + ": delete that folder, or choose another with --store");
+  reader_->run("PRAGMA cache_size = -65536");
+}
+
+Index::~Index() = default;
+
+Index::Connection& Index::writer() {
+  if (writer_ == nullptr) {
+    writer_ = std::make_unique<Connection>(folder_, path_);
+    // A power failure may cost the last batches, never the index: the write-ahead log is synced at checkpoints.
+    writer_->run("PRAGMA synchronous = NORMAL");
+    writer_->run("PRAGMA cache_size = -32768");
+  }
+  return *writer_;
+}
+
+void Index::begin_reading() {
+  read_lately_ = true;
+  if (reading_ && !stale_.load(std::memory_order_acquire)) return;
+  stale_.store(false, std::memory_order_release);
+  if (reading_) reader_->run("COMMIT");
+  reading_ = false;
+  reader_->run("BEGIN");
+  reading_ = true;
+}
+
+void Index::release_idle_snapshot() {
+  const std::lock_guard lock(read_mutex_);
+  if (reading_ && !read_lately_) {
+    reader_->run("COMMIT");
+    reading_ = false;
+  }
+  read_lately_ = false;
+}
+
+std::optional<std::vector<OutputRecord>> Index::outputs(const Digest& key) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kOutputs);
+  if (!query.bind(key).row()) return std::nullopt;
+  return decode_outputs(query.blob(0));
+}
+
+std::optional<TaskRecord> Index::record(const Digest& key) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kOutputs);
+  if (!query.bind(key).row()) return std::nullopt;
+  TaskRecord record;
+  record.key = key;
+  record.outputs = decode_outputs(query.blob(0));
+  Query details(*reader_, kDetails);
+  if (details.bind(key).row()) decode_details(details.blob(0), record);
+  return record;
+}
+
+std::optional<Index::Value> Index::value(const Digest& digest) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kValue);
+  if (!query.bind(digest).row()) return std::nullopt;
+  return Value{query.bytes(0), query.number(1)};
+}
+
+std::optional<std::int64_t> Index::value_used_ns(const Digest& digest) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kValueUsed);
+  if (!query.bind(digest).row()) return std::nullopt;
+  return query.number(0);
+}
+
+std::optional<Entries::History> Index::history(const std::string& graph, const std::string& node) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kHistory);
+  if (!query.bind(graph).bind(node).row()) return std::nullopt;
+  return Entries::History{query.number(0), query.bytes(1)};
+}
+
+std::optional<Entries::FileDigest> Index::file_digest(std::uint64_t device, std::uint64_t inode) {
+  const std::lock_guard lock(read_mutex_);
+  begin_reading();
+  Query query(*reader_, kFileDigest);
+  if (!query.bind(device).bind(inode).row()) return std::nullopt;
+  Entries::FileDigest found;
+  found.state = {device, inode, static_cast<std::uint64_t>(query.number(0)), query.number(1), query.number(2)};
+  found.digest = query.digest(3);
+  return found;
+}
+
+void Index::fold(const Entries& entries, const std::unordered_set<Digest>& used) {
+  const std::lock_guard lock(write_mutex_);
+  Connection& connection = writer();
+  Transaction transaction(connection);
+  const std::int64_t now = now_ns();
+  {
+    Query outputs(connection, kPutOutputs);
+    Query details(connection, kPutDetails);
+    for (const auto& [key, record] : entries.records) {
+      outputs.bind(key).bind(record->outputs).run();
+      details.bind(key).bind(record->details).run();
+    }
+    Query values(connection, kPutValue);
+    for (const auto& [digest, bytes] : entries.values) values.bind(digest).bind(*bytes).bind(now).run();
+    Query use(connection, kUseValue);
+    for (const Digest& digest : used) use.bind(digest).bind(now).run();
+    Query histories(connection, kPutHistory);
+    for (const auto& [name, history] : entries.histories)
+      histories.bind(name.first).bind(name.second).bind(history.written_ns).bind(history.entries).run();
+    Query files(connection, kPutFileDigest);
+    for (const auto& [identity, file] : entries.file_digests)
+      files.bind(identity.first).bind(identity.second).bind(file.state.size).bind(file.state.mtime_ns)
+          .bind(file.state.ctime_ns).bind(file.digest).run();
+  }
+  transaction.commit();
+  renew();
+}
+
+void Index::pin(const std::string& name, const std::vector<Digest>& digests) {
+  const std::lock_guard lock(write_mutex_);
+  Connection& connection = writer();
+  Transaction transaction(connection);
+  {
+    Query(connection, kDeletePins).bind(name).run();
+    Query query(connection, kPutPin);
+    for (const Digest& digest : digests) query.bind(name).bind(digest).run();
+  }
+  transaction.commit();
+  renew();
+}
+
+void Index::unpin(const std::string& name) { pin(name, {}); }
+
+Index::Pins Index::pins() {
+  const std::lock_guard lock(write_mutex_);
+  Pins pins;
+  Query query(writer(), kPins);
+  while (query.row()) {
+    pins.names.insert(query.text(0));
+    pins.digests.insert(query.digest(1));
+  }
+  return pins;
+}
+
+std::vector<Index::SmallValue> Index::small_values() {
+  const std::lock_guard lock(write_mutex_);
+  std::vector<SmallValue> found;
+  Query query(writer(), kSmallValues);
+  while (query.row())
+    found.push_back({query.digest(0), static_cast<std::uint64_t>(query.number(1)), query.number(2)});
+  return found;
+}
+
+void Index::remove_values(const std::vector<Digest>& digests) {
+  const std::lock_guard lock(write_mutex_);
+  Connection& connection = writer();
+  Transaction transaction(connection);
+  {
+    Query query(connection, kDeleteValue);
+    for (const Digest& digest : digests) query.bind(digest).run();
+  }
+  transaction.commit();
+  renew();
+}
+
+std::uint64_t Index::record_count() {
+  const std::lock_guard lock(write_mutex_);
+  Query query(writer(), kRecordCount);
+  return query.row() ? static_cast<std::uint64_t>(query.number(0)) : 0;
+}
+
+}  // namespace engine::store
