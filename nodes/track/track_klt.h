@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "engine/port.h"
+#include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
+
+namespace face::track {
+
+struct TrackKltOptions {
+  std::int64_t window_px = 15;          // side of the patch that is followed, odd
+  std::int64_t levels = 3;              // of the pyramid, above the image itself
+  double max_return_error_px = 1.0;     // a point followed there and back must come home this close
+  double min_likeness = 0.8;            // correlation with a point's own patch that counts as seeing it again
+  double search_px = 10;                // how far from where it should be a lost point is looked for
+};
+
+struct TrackKltResult {
+  Landmarks landmarks;      // in the order of the start points
+  Image patches;            // grey; the patch of every point where it was last placed by hand, side by side
+  double lost = 0;          // points that are not valid in this frame
+  double return_error_px = 0;  // largest there-and-back error of the points that were kept
+};
+
+// Follows points from the previous frame to this one by pyramidal KLT (Lucas and Kanade, An Iterative Image Registration
+// Technique, IJCAI 1981; Bouguet, Pyramidal Implementation of the Lucas Kanade Feature Tracker, Intel 2000).
+// frames: the previous frame and this one (window 1, 0). start: the points on the first frame. correction: points of this
+// frame that somebody put right, by name; null where there are none. prior: this function's result for the previous frame.
+//
+// At the first frame the result is `start`. A correction replaces a point from its frame on. A point that does not come
+// home when it is followed back (Kalal, Mikolajczyk, Matas: Forward-Backward Error, ICPR 2010) is not valid and keeps its
+// last good place; it is looked for again in every later frame, near where the other points say that it is, by the patch
+// that it had where it was last placed.
+// Differs from plain KLT: against drift, a point whose own patch is seen again within a pixel of its place goes there.
+TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
+                         const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options = {});
+
+}  // namespace face::track

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/track_klt.h"
+
+#include "engine/node.h"
+#include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
+using namespace engine::declare;
+using namespace face::track;
+
+NODE("track.klt", &track_klt, version{1},
+     doc{"Follows points through a video by pyramidal KLT, with a check that they come home and an anchor against drift."},
+     input{"frames", "The video's frames", window{1, 0}},
+     input{"start", "The points on the first frame"},
+     input{"correction", "Points put right, for frames that have some"},
+     param("window_px", &TrackKltOptions::window_px, range{5, 101}, unit{"px"}, "Side of the patch that is followed, odd"),
+     param("levels", &TrackKltOptions::levels, range{0, 8}, unit{"1"}, "Pyramid levels above the image"),
+     param("max_return_error_px", &TrackKltOptions::max_return_error_px, range{0.01, 100}, unit{"px"},
+           "Largest error of a point that was followed there and back"),
+     param("min_likeness", &TrackKltOptions::min_likeness, range{0, 0.99}, unit{"1"},
+           "Correlation with its own patch that counts as seeing a point again"),
+     param("search_px", &TrackKltOptions::search_px, range{0, 200}, unit{"px"}, "How far a lost point is looked for"),
+     output("landmarks", &TrackKltResult::landmarks, "The points of each frame"),
+     output("patches", &TrackKltResult::patches, "Every point's own patch, side by side"),
+     output("lost", &TrackKltResult::lost, "Number of points that are not valid"),
+     output("return_error_px", &TrackKltResult::return_error_px, "Largest there-and-back error of the kept points"));
