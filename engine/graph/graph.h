@@ -61,12 +61,23 @@ struct RunSettings {
   double timeout_s = 0;
 };
 
+// A parameter that a graph declares; for commands that run a graph with its parameters as options.
+struct GraphParam {
+  ParamInfo info;                          // name, doc, kind, list, choices; kind string for a path
+  bool path = false;
+  bool optional = false;
+  bool has_default = false;
+  bool given = false;                      // it has a value in this reading: a default, or a setting
+};
+
 // A graph after extends, parameters and subgraphs are resolved. Absent nodes (a required input is unconnected) are gone.
 struct Graph {
   std::string path;                        // of the graph file; goes into the index only, never into a key
   std::vector<GraphNode> nodes;            // producers before consumers
   std::vector<GraphOutput> outputs;
   RunSettings run;
+  std::vector<GraphParam> params;          // in the order declared
+  std::string doc;                         // what the file says it is for
 
   int find_node(std::string_view id) const;  // index, or -1
 };

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "engine/graph/flat_graph.h"
+#include "engine/graph/override_overlap.h"
+
+namespace engine {
+namespace {
+
+constexpr int unknown = -1;  // a depth that follows from something that is reported already
+
+// What is known of a link or an output before the run.
+struct Shape {
+  std::string type;  // empty = unknown
+  int depth = unknown;
+  bool absent = false;
+  bool broken = false;
+};
+
+std::string shape_text(const std::string& type, int depth) {
+  std::string text = type.empty() ? "any type" : type;
+  for (int i = 0; i < depth; ++i) text = "Seq<" + text + ">";
+  return text;
+}
+
+std::string levels(int depth) {
+  if (depth == 0) return "a single value";
+  return depth == 1 ? "a sequence" : "a sequence of depth " + std::to_string(depth);
+}
+
+class Analysis {
+ public:
+  Analysis(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems) : flat_(flat), graph_(graph), problems_(problems) {}
+
+  void run() {
+    states_.resize(flat_.nodes.size());
+    checks_.resize(flat_.input_checks.size());
+    find_order();
+    for (const int node : order_) settle(node);
+    for (std::size_t i = 0; i < checks_.size(); ++i) check_input(static_cast<int>(i));
+    read_outputs();
+    mark_needed();
+    check_files();
+    emit();
+  }
+
+ private:
+  struct State {
+    int mark = 0;  // of the search: 0 new, 1 on the path, 2 done
+    bool on_ring = false;
+    bool settled = false;
+    bool absent = false;
+    bool broken = false;
+    bool needed = false;
+    int mapped_depth = 0;
+    std::vector<int> input_depth;
+    std::vector<Shape> outputs;
+  };
+  enum class Check { open, good, bad };
+
+  void problem(const Place& place, std::string text) { problems_.push_back({place, std::move(text)}); }
+
+  // Producers before consumers, else as written: a depth-first search with its own stack (chains may be long).
+  void find_order() {
+    struct Step {
+      int node;
+      std::size_t port = 0, link = 0;
+    };
+    for (std::size_t start = 0; start < flat_.nodes.size(); ++start) {
+      if (states_[start].mark != 0) continue;
+      std::vector<Step> path{{static_cast<int>(start)}};
+      states_[start].mark = 1;
+      while (!path.empty()) {
+        Step& step = path.back();
+        const auto& ports = flat_.nodes[step.node].ports;
+        if (step.port == ports.size()) {
+          states_[step.node].mark = 2;
+          order_.push_back(step.node);
+          path.pop_back();
+        } else if (step.link == ports[step.port].size()) {
+          ++step.port;
+          step.link = 0;
+        } else if (const Link& link = ports[step.port][step.link++]; link.kind == Link::Kind::node) {
+          State& next = states_[link.node];
+          if (next.mark == 0) {
+            next.mark = 1;
+            path.push_back({link.node});
+          } else if (next.mark == 1) {
+            std::vector<int> ring;
+            for (auto at = path.rbegin();; ++at) {
+              ring.push_back(at->node);
+              if (at->node == link.node) break;
+            }
+            std::reverse(ring.begin(), ring.end());
+            report_ring(std::move(ring));
+          }
+        }
+      }
+    }
+  }
+
+  void report_ring(std::vector<int> ring) {  // each node needs the next
+    const bool known = std::any_of(ring.begin(), ring.end(), [&](int node) { return states_[node].on_ring; });
+    for (const int node : ring) states_[node].on_ring = true;
+    if (known) return;
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    std::string text;
+    for (const int node : ring) text += flat_.nodes[node].id + " needs ";
+    Place place = flat_.nodes[ring[0]].place;
+    const int next = ring.size() > 1 ? ring[1] : ring[0];
+    for (const auto& links : flat_.nodes[ring[0]].ports)
+      for (const Link& link : links)
+        if (link.kind == Link::Kind::node && link.node == next) place = link.place;
+    problem(place, "the nodes need each other in a ring: " + text + flat_.nodes[ring[0]].id);
+  }
+
+  Shape shape_of(const Link& link) {
+    Shape shape;
+    switch (link.kind) {
+      case Link::Kind::broken: shape.broken = true; return shape;
+      case Link::Kind::unset: shape.absent = true; [[fallthrough]];
+      case Link::Kind::file:
+        shape.type = "file";
+        shape.depth = 0;
+        break;
+      case Link::Kind::node: {
+        const State& producer = states_[link.node];
+        if (!producer.settled || flat_.nodes[link.node].info == nullptr) {
+          shape.broken = true;
+          return shape;
+        }
+        shape = producer.outputs[link.output];
+        shape.broken = false;
+        shape.absent = producer.absent;
+        break;
+      }
+    }
+    if (link.input_check >= 0 && check_input(link.input_check) == Check::bad) {
+      shape.broken = true;
+      return shape;
+    }
+    const int selected = static_cast<int>(link.element.size());
+    if (shape.depth != unknown && selected > 0) {
+      if (selected > shape.depth) {
+        std::string name = "the file";
+        if (link.kind == Link::Kind::node) name = "'" + flat_.nodes[link.node].id + "'";
+        problem(link.place, "the reference selects an element " + std::to_string(selected) + (selected == 1 ? " level" : " levels") +
+                                " deep, but " + name + " is " + levels(shape.depth));
+        shape.broken = true;
+        return shape;
+      }
+      shape.depth -= selected;
+    }
+    return shape;
+  }
+
+  // What a subgraph's input is given must be of the type that it declares; deeper sequences map the subgraph.
+  Check check_input(int index) {
+    if (checks_[index] != Check::open) return checks_[index];
+    const InputCheck& input = flat_.input_checks[index];
+    checks_[index] = Check::good;
+    const Shape shape = shape_of(input.link);
+    const std::string expected = shape_text(input.type, input.depth);
+    if (shape.broken) {
+      checks_[index] = Check::bad;
+    } else if ((!input.type.empty() && !shape.type.empty() && shape.type != input.type) ||
+               (shape.depth != unknown && shape.depth < input.depth)) {
+      problem(input.link.place, "the input '" + input.name + "' takes " + expected + ", but is given " + shape_text(shape.type, std::max(shape.depth, 0)));
+      checks_[index] = Check::bad;
+    }
+    return checks_[index];
+  }
+
+  std::string port_name(const FlatNode& node, std::size_t port) const {
+    return "the input '" + node.info->inputs[port].name + "' of '" + node.info->name + "'";
+  }
+
+  // Decides whether a node is absent, and finds its depths and types.
+  void settle(int index) {
+    const FlatNode& node = flat_.nodes[index];
+    State& state = states_[index];
+    if (node.info == nullptr) return;
+    const NodeInfo& info = *node.info;
+    std::vector<std::vector<Shape>> shapes(node.ports.size());
+    state.broken = node.input_missing || state.on_ring;
+    for (std::size_t port = 0; port < node.ports.size(); ++port) {
+      for (const Link& link : node.ports[port]) shapes[port].push_back(shape_of(link));
+      const auto& given = shapes[port];
+      const bool all_absent = !given.empty() && std::all_of(given.begin(), given.end(), [](const Shape& shape) { return shape.absent && !shape.broken; });
+      if (all_absent && !info.inputs[port].optional) state.absent = true;
+    }
+
+    // What is present counts; an absent node is checked as if all were.
+    state.input_depth.assign(node.ports.size(), 0);
+    std::string first_type;
+    int first_depth = unknown;
+    bool depth_known = !state.broken;
+    state.mapped_depth = 0;
+    for (std::size_t port = 0; port < node.ports.size(); ++port) {
+      const InputInfo& input = info.inputs[port];
+      const bool any_depth = info.structural == Structural::first;
+      std::string agreed_type = input.type;
+      int agreed_depth = unknown;
+      const Link* agreed = nullptr;
+      for (std::size_t i = 0; i < shapes[port].size(); ++i) {
+        const Shape& shape = shapes[port][i];
+        const Link& link = node.ports[port][i];
+        if (shape.broken) {
+          depth_known = false;
+          continue;
+        }
+        if (shape.type.empty()) {
+          // unknown: reported where it comes from
+        } else if (agreed_type.empty()) {
+          agreed_type = shape.type;
+        } else if (shape.type != agreed_type) {
+          if (input.type.empty())
+            problem(link.place, port_name(node, port) + " takes alternatives of one type: found '" + shape.type + "' after '" + agreed_type + "'");
+          else
+            problem(link.place, port_name(node, port) + " takes '" + input.type + "', found '" + shape.type + "'");
+          depth_known = false;
+          continue;
+        }
+        if (shape.absent && !state.absent) continue;
+        if (shape.depth == unknown) {
+          depth_known = false;
+          continue;
+        }
+        const int least = input.window ? 1 : input.depth;
+        if (!any_depth && shape.depth < least) {
+          problem(link.place, port_name(node, port) + " takes " + levels(least) + ", found " + levels(shape.depth));
+          depth_known = false;
+          continue;
+        }
+        if (agreed != nullptr && shape.depth != agreed_depth) {
+          problem(link.place, port_name(node, port) + " takes alternatives of one depth: found " + levels(shape.depth) + " after " + levels(agreed_depth));
+          depth_known = false;
+          continue;
+        }
+        agreed = &link;
+        agreed_depth = shape.depth;
+        if (!any_depth) state.mapped_depth = std::max(state.mapped_depth, shape.depth - input.depth);
+      }
+      if (agreed_depth != unknown) state.input_depth[port] = agreed_depth;
+      if (port == 0) {
+        first_type = agreed_type;
+        first_depth = agreed_depth;
+      }
+    }
+    check_where(node, shapes, state);
+    if (depth_known && info.prior && state.mapped_depth == 0)
+      problem(node.place, "'" + info.name + "' works along a sequence (each result follows from the one before), but none of its inputs is one");
+
+    for (const OutputInfo& output : info.outputs) {
+      Shape shape;
+      shape.type = output.type.empty() ? first_type : output.type;
+      if (depth_known) shape.depth = info.structural == Structural::first ? first_depth : state.mapped_depth + output.depth;
+      state.outputs.push_back(shape);
+    }
+    if (depth_known) check_overrides(node, state.mapped_depth, problems_);
+    state.settled = !state.on_ring;
+  }
+
+  // The flags of seq.where are those of its own sequence, not of an outer or inner one.
+  void check_where(const FlatNode& node, const std::vector<std::vector<Shape>>& shapes, const State& state) {
+    if (node.info->structural != Structural::where || shapes[0].empty() || shapes[1].empty()) return;
+    const Shape& sequence = shapes[0][0];
+    const Shape& flags = shapes[1][0];
+    if (sequence.broken || flags.broken || sequence.depth < 1 || flags.depth < 1 || sequence.depth == flags.depth || state.broken) return;
+    problem(node.ports[1][0].place, port_name(node, 1) + " takes one flag for every element of the sequence: found " + levels(flags.depth) +
+                                        " for " + levels(sequence.depth));
+  }
+
+  void read_outputs() {
+    std::set<std::string> causes;
+    bool any = flat_.outputs_reported;
+    for (const FlatOutput& output : flat_.outputs) {
+      const Shape shape = shape_of(output.link);
+      any = any || shape.broken || !shape.absent;
+      if (shape.broken) continue;
+      if (!shape.type.empty() && shape.type != "file")
+        problem(output.link.place, "the output " + quoted_text(output.name) + " is of type '" + shape.type + "', expected 'file': let a node export it first");
+      else if (shape.absent)
+        find_causes(output.link, causes);
+      else
+        outputs_.push_back(&output);
+    }
+    if (any) return;
+    std::string names;
+    for (const std::string& cause : causes) names += (names.empty() ? "" : " or ") + ("--set " + cause + "=PATH");
+    problem(flat_.outputs[0].place, "no output is left, since optional parameters are unset: " + names);
+  }
+
+  void find_causes(const Link& from, std::set<std::string>& causes) const {
+    std::vector<const Link*> open{&from};
+    std::vector<bool> seen(flat_.nodes.size(), false);
+    while (!open.empty()) {
+      const Link& link = *open.back();
+      open.pop_back();
+      if (link.kind == Link::Kind::unset) causes.insert(link.unset_param);
+      if (link.kind != Link::Kind::node || seen[link.node] || !states_[link.node].absent) continue;
+      seen[link.node] = true;
+      const FlatNode& node = flat_.nodes[link.node];
+      for (std::size_t port = 0; port < node.ports.size(); ++port)
+        if (!node.info->inputs[port].optional)
+          for (const Link& next : node.ports[port]) open.push_back(&next);
+    }
+  }
+
+  void mark_needed() {
+    std::vector<int> open;
+    const auto need = [&](const Link& link) {
+      if (link.kind != Link::Kind::node || states_[link.node].absent || states_[link.node].needed) return;
+      states_[link.node].needed = true;
+      open.push_back(link.node);
+    };
+    for (const FlatOutput* output : outputs_) need(output->link);
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      for (const auto& links : flat_.nodes[node].ports)
+        for (const Link& link : links) need(link);
+    }
+  }
+
+  void check_files() {
+    std::set<std::string> checked;
+    for (std::size_t i = 0; i < flat_.nodes.size(); ++i) {
+      if (!states_[i].needed) continue;
+      for (const auto& links : flat_.nodes[i].ports)
+        for (const Link& link : links) {
+          if (link.kind != Link::Kind::file || !checked.insert(link.path).second) continue;
+          std::error_code code;
+          const auto status = std::filesystem::status(link.path, code);
+          if (!std::filesystem::exists(status))
+            problem(link.value_place, "the file " + link.shown_path + " does not exist" );
+          else if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status))
+            problem(link.value_place, link.shown_path + " is neither a file nor a folder");
+        }
+    }
+  }
+
+  Source source_of(const Link& link, const std::vector<int>& position) const {
+    Source source;
+    source.place = link.place;
+    source.element = link.element;
+    if (link.kind == Link::Kind::file) {
+      source.kind = Source::Kind::file;
+      source.path = link.path;
+      source.shown_path = link.shown_path;
+    } else if (link.kind == Link::Kind::node && position[link.node] >= 0) {
+      source.kind = Source::Kind::node;
+      source.node = position[link.node];
+      source.output = link.output;
+    }
+    return source;
+  }
+
+  void emit() {
+    std::vector<int> position(flat_.nodes.size(), -1);
+    for (const int index : order_) {
+      const FlatNode& node = flat_.nodes[index];
+      State& state = states_[index];
+      if (state.absent || node.info == nullptr || !state.settled) continue;
+      GraphNode result;
+      result.id = node.id;
+      result.info = node.info;
+      result.params = node.params;
+      result.overrides = node.overrides;
+      result.mapped_depth = state.mapped_depth;
+      result.input_depth = state.input_depth;
+      for (const Shape& shape : state.outputs) {
+        result.output_depth.push_back(shape.depth);
+        result.output_type.push_back(shape.type);
+      }
+      result.needed = state.needed;
+      result.place = node.place;
+      for (const auto& links : node.ports) {
+        std::vector<Source>& sources = result.inputs.emplace_back();
+        for (const Link& link : links)
+          if (Source source = source_of(link, position); source.kind != Source::Kind::none) sources.push_back(std::move(source));
+      }
+      position[index] = static_cast<int>(graph_.nodes.size());
+      graph_.nodes.push_back(std::move(result));
+    }
+    for (const FlatOutput* output : outputs_)
+      if (Source source = source_of(output->link, position); source.kind == Source::Kind::node)
+        graph_.outputs.push_back({output->name, std::move(source)});
+  }
+
+  const FlatGraph& flat_;
+  Graph& graph_;
+  std::vector<Problem>& problems_;
+  std::vector<State> states_;
+  std::vector<Check> checks_;
+  std::vector<int> order_;
+  std::vector<const FlatOutput*> outputs_;
+};
+
+}  // namespace
+
+void analyse_graph(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems) { Analysis(flat, graph, problems).run(); }
+
+}  // namespace engine

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/graph/builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/graph/output_name.h"
+#include "engine/graph/param_value.h"
+#include "engine/graph/reference.h"
+
+namespace engine {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+// Subgraphs multiply; a small file must not ask for all memory.
+constexpr std::size_t most_nodes = 1000000;
+
+constexpr const char* what_a_name_is = "names are made of letters, digits and '_', and start with no digit";
+
+// "Seq<Seq<x>>" is x at depth 2.
+bool parse_type(std::string_view text, std::string& type, int& depth) {
+  depth = 0;
+  while (text.starts_with("Seq<") && text.ends_with('>')) {
+    text = text.substr(4, text.size() - 5);
+    ++depth;
+  }
+  type = text;
+  return !text.empty() && text.find_first_of("<> ") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? std::string(" ") + last + " " : ", ";
+    text += "'" + names[i] + "'";
+  }
+  return text;
+}
+
+Builder::Builder(const GraphContext& context, const std::vector<Setting>& settings, const std::string& folder,
+                 std::vector<Problem>& problems)
+    : context_(context), problems_(problems), documents_(problems) {
+  command_line_.shown = "command line";
+  command_line_.folder = folder;
+  read_settings(settings);
+}
+
+FlatGraph Builder::build(const GraphFile& file, Graph& graph) {
+  add_scope(file, -1, "", nullptr);
+  read_run(file.tree, &graph.run);
+  if (const JsonMember* const doc = file.tree.find("doc")) graph.doc = doc->value.text;
+  for (const JsonMember& member : file.tree.members) {
+    if (member.key != "params") continue;
+    for (const JsonMember& declared : member.value.members) {
+      const auto bound = scopes_[0].params.find(declared.key);
+      if (bound == scopes_[0].params.end()) continue;
+      const BoundParam& param = bound->second;
+      graph.params.push_back({param.type, param.path, param.optional, declared.value.find("default") != nullptr, param.value != nullptr});
+    }
+  }
+  link_nodes();
+  FlatGraph flat;
+  link_outputs(flat);
+  report_unused_settings();
+  flat.nodes = std::move(nodes_);
+  flat.input_checks = std::move(input_checks_);
+  return flat;
+}
+
+bool Builder::check_object(const JsonValue& value, const std::vector<std::string>& keys, const std::string& what) {
+  if (!value.is(Kind::object)) {
+    problem(value.place(), "found " + found(value) + ", expected " + what);
+    return false;
+  }
+  for (const JsonMember& member : value.members)
+    if (std::find(keys.begin(), keys.end(), member.key) == keys.end())
+      problem(member.place(), "unknown key " + quoted_text(member.key) + did_you_mean(member.key, keys) + "; " + what + " has the keys " + listed(keys));
+  return true;
+}
+
+int Builder::add_scope(const GraphFile& file, int parent, const std::string& prefix, const JsonMember* embedding) {
+  const int index = static_cast<int>(scopes_.size());
+  Scope& scope = scopes_.emplace_back();
+  scope.file = &file;
+  scope.parent = parent;
+  scope.prefix = prefix;
+  scope.usable = file.usable;
+  if (!file.usable) {
+    unread_subgraph_ = true;
+    return index;
+  }
+  check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "layout"}, "a graph");
+  if (const JsonMember* doc = file.tree.find("doc"); doc != nullptr && !doc->value.is(Kind::string))
+    problem(doc->value.place(), "found " + found(doc->value) + ", expected a text");
+  if (parent >= 0) read_run(file.tree, nullptr);
+  read_params(index, embedding);
+  read_inputs(index, embedding);
+  read_outputs(index);
+  read_nodes(index);
+  return index;
+}
+
+void Builder::read_inputs(int index, const JsonMember* embedding) {
+  Scope& scope = scopes_[index];
+  const JsonMember* const given = embedding != nullptr ? embedding->value.find("inputs") : nullptr;
+  if (given != nullptr && !given->value.is(Kind::object)) {
+    problem(given->value.place(), "found " + found(given->value) + ", expected an object of the subgraph's inputs");
+    scope.usable = false;
+    return;
+  }
+  std::vector<std::string> names;
+  if (const JsonMember* const inputs = scope.file->tree.find("inputs")) {
+    if (!inputs->value.is(Kind::object)) {
+      problem(inputs->value.place(), "found " + found(inputs->value) + ", expected an object of names and types");
+      scope.usable = false;
+      return;
+    }
+    if (embedding == nullptr && !inputs->value.members.empty())
+      problem(inputs->place(), "a graph with inputs is a part of other graphs: embed it with \"graph\"; files come in as parameters of type \"path\"");
+    for (const JsonMember& member : inputs->value.members) {
+      names.push_back(member.key);
+      Scope::Input& input = scope.inputs[member.key];
+      if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of an input: " + what_a_name_is);
+      if (!member.value.is(Kind::string) || !parse_type(member.value.text, input.type, input.depth)) {
+        problem(member.value.place(), "found " + found(member.value) + ", expected a type such as \"image\" or \"Seq<image>\"");
+        input.type.clear();
+        input.depth = 0;
+      }
+      if (embedding == nullptr) continue;
+      if (const JsonMember* const connected = given != nullptr ? given->value.find(member.key) : nullptr)
+        input.given = &connected->value;
+      else
+        problem(embedding->place(), "the input '" + member.key + "' of " + scope.file->source.shown + " is not connected");
+    }
+  }
+  if (given == nullptr) return;
+  for (const JsonMember& member : given->value.members) {
+    if (scope.inputs.count(member.key) != 0) continue;
+    const bool is_param = scope.params.count(member.key) != 0;
+    problem(member.place(), scope.file->source.shown + " has no input " + quoted_text(member.key) +
+                                (is_param ? "; it is one of its \"params\"" : did_you_mean(member.key, names)));
+  }
+}
+
+void Builder::read_outputs(int index) {
+  Scope& scope = scopes_[index];
+  const JsonMember* const outputs = scope.file->tree.find("outputs");
+  if (outputs == nullptr) {
+    problem(scope.file->tree.place(), "the key \"outputs\" is missing: it says what the graph makes");
+    scope.usable = false;
+    return;
+  }
+  if (!outputs->value.is(Kind::object) || outputs->value.members.empty()) {
+    problem(outputs->value.place(), "found " + (outputs->value.is(Kind::object) ? "an empty object" : found(outputs->value)) +
+                                        ", expected an object of outputs: {\"name.txt\": \"node\"}");
+    scope.usable = false;
+    return;
+  }
+  std::map<std::string, const JsonMember*> lower;
+  for (const JsonMember& member : outputs->value.members) {
+    scope.outputs[member.key].member = &member;
+    const bool inner_name = scope.parent >= 0 && is_name(member.key);
+    if (const std::string error = inner_name ? "" : output_name_error(member.key); !error.empty())
+      problem(member.place(), error);
+    const auto [other, fresh] = lower.emplace(folded(member.key), &member);
+    if (!fresh)
+      problem(member.place(), "the outputs " + quoted_text(other->second->key) + " and " + quoted_text(member.key) +
+                                  " differ in case only: some disks hold them as one file");
+  }
+}
+
+void Builder::read_nodes(int index) {
+  const JsonMember* const nodes = scopes_[index].file->tree.find("nodes");
+  if (nodes == nullptr) {
+    problem(scopes_[index].file->tree.place(), "the key \"nodes\" is missing");
+    scopes_[index].usable = false;
+    return;
+  }
+  if (!nodes->value.is(Kind::object)) {
+    problem(nodes->value.place(), "found " + found(nodes->value) + ", expected an object of nodes");
+    scopes_[index].usable = false;
+    return;
+  }
+  for (const JsonMember& member : nodes->value.members) {
+    if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of a node: " + what_a_name_is);
+    scopes_[index].entry_names.push_back(member.key);
+    if (nodes_.size() >= most_nodes) {
+      problem(member.place(), "the graph has more than " + std::to_string(most_nodes) + " nodes");
+      return;
+    }
+    read_node(index, member);
+  }
+}
+
+void Builder::read_node(int index, const JsonMember& member) {
+  const auto unknown = [&] {  // a node that nothing is known of, so that references to it are not reported as well
+    scopes_[index].entries[member.key] = {false, static_cast<int>(nodes_.size())};
+    FlatNode& node = nodes_.emplace_back();
+    node.id = scopes_[index].prefix + member.key;
+    node.place = member.place();
+  };
+  const JsonMember* const graph = member.value.find("graph");
+  const JsonMember* const type = member.value.find("node");
+  if (graph != nullptr && type == nullptr) {
+    if (!check_object(member.value, {"graph", "inputs", "params"}, "a subgraph")) return unknown();
+    return read_subgraph(index, member, graph->value);
+  }
+  if (!check_object(member.value, {"node", "inputs", "params", "overrides"}, "a node")) return unknown();
+  if (type == nullptr) {
+    std::vector<std::string> keys;
+    for (const JsonMember& other : member.value.members) keys.push_back(other.key);
+    if (nearest_name("node", keys).empty() && nearest_name("graph", keys).empty())
+      problem(member.place(), "the key \"node\" is missing: it names the kind of node (or \"graph\" a subgraph's file)");
+    return unknown();
+  }
+  if (!type->value.is(Kind::string)) {
+    problem(type->value.place(), "found " + found(type->value) + ", expected the name of a node");
+    return unknown();
+  }
+  const NodeInfo* const info = context_.find_node(type->value.text);
+  unknown();
+  FlatNode& node = nodes_.back();
+  if (info == nullptr) {
+    const std::string absent = context_.absent_plugin ? context_.absent_plugin(type->value.text) : std::string();
+    if (!node_types_) node_types_ = context_.node_names ? context_.node_names() : std::vector<std::string>();
+    problem(type->value.place(), absent.empty() ? "no node is called " + quoted_text(type->value.text) + did_you_mean(type->value.text, *node_types_)
+                                                : "the node " + quoted_text(type->value.text) + " cannot be used: " + absent);
+    return;
+  }
+  node.info = info;
+  node.ports.resize(info->inputs.size());
+  read_node_params(index, member, node);
+  if (const JsonMember* const overrides = member.value.find("overrides")) read_overrides(index, overrides->value, node);
+  deferred_.push_back({static_cast<int>(nodes_.size()) - 1, index, &member});
+}
+
+void Builder::read_subgraph(int index, const JsonMember& member, const JsonValue& graph) {
+  Scope::Entry& entry = scopes_[index].entries[member.key];
+  entry.subgraph = true;
+  entry.index = static_cast<int>(scopes_.size());
+  const std::string prefix = scopes_[index].prefix + member.key + "/";
+  const auto unusable = [&] {
+    Scope& scope = scopes_.emplace_back();
+    scope.file = scopes_[index].file;
+    scope.parent = index;
+    scope.prefix = prefix;
+    scope.usable = false;
+    unread_subgraph_ = true;
+  };
+  if (!graph.is(Kind::string) || graph.text.empty()) {
+    problem(graph.place(), "found " + found(graph) + ", expected the path of a graph file");
+    return unusable();
+  }
+  const std::string path = resolve_path(*graph.source, graph.text);
+  std::string ring;
+  for (int at = index; at >= 0; at = scopes_[at].parent) {
+    ring = scopes_[at].file->source.shown + " embeds " + ring;
+    if (scopes_[at].file->path != path) continue;
+    problem(graph.place(), "a graph cannot embed itself: " + ring + scopes_[at].file->source.shown);
+    return unusable();
+  }
+  add_scope(documents_.read(path, shown_path(*graph.source, graph.text), graph.place()), index, prefix, &member);
+}
+
+void Builder::read_run(const JsonValue& tree, RunSettings* run) {
+  const JsonMember* const block = tree.find("run");
+  if (block == nullptr || !check_object(block->value, {"memory", "timeout_s"}, "the run block")) return;
+  if (const JsonMember* const memory = block->value.find("memory")) {
+    const std::optional<std::int64_t> bytes = memory->value.is(Kind::string) ? parse_memory(memory->value.text) : std::nullopt;
+    if (!bytes) problem(memory->value.place(), "found " + found(memory->value) + ", expected an amount such as \"8GB\" or \"500MB\"");
+    if (run != nullptr) run->memory_bytes = bytes.value_or(0);
+  }
+  if (const JsonMember* const timeout = block->value.find("timeout_s")) {
+    const bool number = timeout->value.is(Kind::integer) || timeout->value.is(Kind::real);
+    if (!number || !(timeout->value.real > 0)) problem(timeout->value.place(), "found " + found(timeout->value) + ", expected a number of seconds above 0");
+    if (run != nullptr && number) run->timeout_s = timeout->value.real;
+  }
+}
+
+void Builder::read_overrides(int index, const JsonValue& overrides, FlatNode& node) {
+  if (!overrides.is(Kind::object)) {
+    problem(overrides.place(), "found " + found(overrides) + ", expected an object of element ids and parameters: {\"17-23,40\": {...}}");
+    return;
+  }
+  std::vector<std::string> names;
+  for (const ParamInfo& param : node.info->params) names.push_back(param.name);
+  for (const JsonMember& member : overrides.members) {
+    Override override;
+    override.text = member.key;
+    override.place = member.place();
+    std::string error;
+    if (!parse_ranges(member.key, override.ranges, error)) {
+      problem(member.place(), error);
+      continue;
+    }
+    if (!member.value.is(Kind::object) || member.value.members.empty()) {
+      problem(member.value.place(), "found " + (member.value.is(Kind::object) ? "an empty object" : found(member.value)) +
+                                        ", expected an object of parameters");
+      continue;
+    }
+    for (const JsonMember& given : member.value.members) {
+      const int param = node.info->find_param(given.key);
+      ParamValue value;
+      if (param < 0)
+        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean(given.key, names));
+      else if (read_value(index, given.value, node.info->params[param], value))
+        override.params.emplace_back(param, std::move(value));
+    }
+    node.overrides.push_back(std::move(override));
+  }
+}
+
+}  // namespace engine
