@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+#include "nodes/speech/flite_session.h"
+#include "nodes/types/audio.h"
+#include "nodes/types/phones.h"
+
+namespace face::speech {
+
+struct SayOptions {
+  Voice voice = Voice::slt;
+  double duration_stretch = 1;  // 2 speaks at half the speed
+};
+
+struct SayResult {
+  Audio audio;    // 16 kHz
+  Phones phones;  // the synthesiser's own times, stops split at the burst
+};
+
+// Speaks a text with flite (Black and Lenzo, Flite: a small fast run-time synthesis engine, 4th ISCA Workshop on Speech
+// Synthesis, 2001). The phone times are exact: they are what the synthesiser was told to make. Throws on a text without
+// anything to say.
+SayResult say(const std::string& text, const SayOptions& options = {});
+
+}  // namespace face::speech
