@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/phantom/paint.h"
+
+#include "nodes/phantom/lips.h"
+
+namespace face::phantom {
+namespace {
+
+constexpr Vector3 kSkin = {0.93, 0.735, 0.635};
+constexpr Vector3 kBlush = {0.90, 0.57, 0.49};
+constexpr Vector3 kLip = {0.78, 0.42, 0.40}, kLipInner = {0.62, 0.27, 0.27};
+constexpr Vector3 kLidShade = {0.80, 0.58, 0.51}, kLidRim = {0.86, 0.60, 0.55};
+constexpr Vector3 kMouth = {0.42, 0.13, 0.13}, kThroat = {0.13, 0.03, 0.03};
+
+Vector3 skin_color(const SkinVertex& v, Vector3 point) {
+  using Loop = SkinVertex::Loop;
+  const double x = std::abs(point.x), y = point.y;
+  Vector3 color = kSkin;
+  if (point.z > 30) {
+    color = lerp(color, kBlush, 0.55 * bell(x - 43, 19) * bell(y + 2, 17));          // cheeks
+    color = lerp(color, kBlush, 0.45 * bell(x, 15) * bell(y - 2, 11));                // nose
+    color = lerp(color, kBlush, 0.22 * bell(x, 16) * bell(y + 66, 10));               // chin
+    const double nostril = bell(x - 6.3, 3.6) * bell(y + 6.0, 3.4);
+    if (point.z > 100) color = lerp(color, {0.30, 0.12, 0.10}, 0.75 * smooth_step(0.35, 0.9, nostril));
+  }
+  if (v.loop == Loop::left_eye || v.loop == Loop::right_eye) {
+    color = lerp(color, kLidShade, 0.55 * smooth_step(5.5, 1.5, v.ring));
+    if (v.ring <= 0) color = kLidRim;
+  }
+  if (v.loop == Loop::mouth) {
+    const double s = lip_position(v.column);
+    if (v.ring > 0) color = lerp(color, kLip, 0.30 * smooth_step(1.6, 0.4, v.ring));
+    if (v.ring == 0) color = lerp(kSkin, kLip, 0.55 - 0.25 * s * s);
+    if (v.ring < 0) color = lerp(kLip, kLipInner, smooth_step(-1.5, kLipContactRing, v.ring));
+    if (v.ring < kLipContactRing) color = lerp(kLipInner, kMouth, smooth_step(-4, -7, v.ring));
+    if (v.ring < -7) color = lerp(kMouth, kThroat, smooth_step(-7, -10, v.ring));
+  }
+  return color;
+}
+
+}  // namespace
+
+void paint_skin(HeadBuilder& mesh, const Skin& skin) {
+  for (std::size_t v = 0; v < skin.vertices.size(); ++v)
+    mesh.colors_srgb[v] = skin_color(skin.vertices[v], mesh.points_mm[v]);
+}
+
+}  // namespace face::phantom
