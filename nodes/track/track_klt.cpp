@@ -8,6 +8,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/track/patch.h"
+#include "nodes/track/settle.h"
 
 namespace face::track {
 namespace {
@@ -20,8 +21,6 @@ cv::Mat eight_bit(const Grey& grey) {
           static_cast<std::uint8_t>(std::lround(grey.values[static_cast<std::size_t>(y * grey.width + x)]));
   return out;
 }
-
-cv::Point2f at(const Landmark& point) { return {static_cast<float>(point.x_px), static_cast<float>(point.y_px)}; }
 
 bool inside(double x, double y, int width, int height) {
   return x >= -0.5 && y >= -0.5 && x <= width - 0.5 && y <= height - 0.5;
@@ -60,93 +59,134 @@ void check_inputs(const engine::Window<Image>& frames, const Landmarks& start, c
         " points, start has ", start.points.size());
 }
 
-// The similarity that carries the start points to where the valid ones are now (least squares; Umeyama, PAMI 1991, in two
-// dimensions as complex numbers), applied to a point. Falls back to the translation with fewer than two points.
-struct Layout {
-  double scale_re = 1, scale_im = 0;
-  double start_x = 0, start_y = 0, now_x = 0, now_y = 0;
-
-  Layout(const Landmarks& start, const Landmarks& now) {
-    double count = 0;
-    for (std::size_t i = 0; i < now.points.size(); ++i) {
-      if (!now.points[i].valid) continue;
-      start_x += start.points[i].x_px, start_y += start.points[i].y_px;
-      now_x += now.points[i].x_px, now_y += now.points[i].y_px;
-      ++count;
+// How surely a place can be told by the picture around it: the mean outer product of its gradients over the variance of grey
+// values between frames, as eigenvalues e + e^2. The square makes strong contrast all but decide over the springs, and leaves weak
+// contrast to them.
+void add_information(const Grey& grey, int side_px, Sighting& place) {
+  constexpr double grey_noise = 5;  // 8-bit steps; compressed video
+  const double half = (side_px - 1) / 2.0;
+  double xx = 0, xy = 0, yy = 0;
+  for (int v = 0; v < side_px; ++v)
+    for (int u = 0; u < side_px; ++u) {
+      const double x = place.x_px + u - half, y = place.y_px + v - half;
+      const double gx = static_cast<double>(grey.at(x + 1, y) - grey.at(x - 1, y)) / 2;
+      const double gy = static_cast<double>(grey.at(x, y + 1) - grey.at(x, y - 1)) / 2;
+      xx += gx * gx;
+      xy += gx * gy;
+      yy += gy * gy;
     }
-    if (count == 0) return;
-    start_x /= count, start_y /= count, now_x /= count, now_y /= count;
-    double re = 0, im = 0, square = 0;
-    for (std::size_t i = 0; i < now.points.size(); ++i) {
-      if (!now.points[i].valid) continue;
-      const double ax = start.points[i].x_px - start_x, ay = start.points[i].y_px - start_y;
-      const double bx = now.points[i].x_px - now_x, by = now.points[i].y_px - now_y;
-      re += ax * bx + ay * by;
-      im += ax * by - ay * bx;
-      square += ax * ax + ay * ay;
-    }
-    if (count > 1 && square > 0) scale_re = re / square, scale_im = im / square;
-  }
-  cv::Point2d place(const Landmark& point) const {
-    const double ax = point.x_px - start_x, ay = point.y_px - start_y;
-    return {now_x + scale_re * ax - scale_im * ay, now_y + scale_im * ax + scale_re * ay};
-  }
-};
+  const double scale = 1 / (side_px * side_px * grey_noise * grey_noise);
+  xx *= scale, xy *= scale, yy *= scale;
+  // M + M M has the eigenvectors of M.
+  place.xx = xx + xx * xx + xy * xy;
+  place.xy = xy + xy * (xx + yy);
+  place.yy = yy + yy * yy + xy * xy;
+}
 
-// Takes the valid points of the previous frame to this one; those that do not come home are lost.
-void follow(const Grey& previous, const Grey& current, const TrackKltOptions& options, TrackKltResult& result) {
-  std::vector<std::size_t> index;
-  std::vector<cv::Point2f> from;
-  for (std::size_t i = 0; i < result.landmarks.points.size(); ++i) {
-    if (!result.landmarks.points[i].valid) continue;
-    index.push_back(i);
-    from.push_back(at(result.landmarks.points[i]));
-  }
-  if (from.empty()) return;
-  const cv::Size window(static_cast<int>(options.window_px), static_cast<int>(options.window_px));
-  const int levels = static_cast<int>(options.levels);
-  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.001);
-  const cv::Mat a = eight_bit(previous), b = eight_bit(current);
-  std::vector<cv::Point2f> to, home = from;
-  std::vector<std::uint8_t> found, found_home;
+void forget(Sighting& place) { place.xx = place.xy = place.yy = 0; }
+bool is_seen(const Sighting& place) { return place.xx + place.yy > 0; }
+
+// Pyramidal KLT of all points from their guesses. Points of which it makes nothing are forgotten.
+std::vector<Sighting> flow(const cv::Mat& from, const cv::Mat& to, const std::vector<Sighting>& points,
+                           const std::vector<Sighting>& guesses, const TrackKltOptions& options) {
+  std::vector<cv::Point2f> a, b;
+  for (const Sighting& p : points) a.emplace_back(static_cast<float>(p.x_px), static_cast<float>(p.y_px));
+  for (const Sighting& p : guesses) b.emplace_back(static_cast<float>(p.x_px), static_cast<float>(p.y_px));
+  std::vector<std::uint8_t> found;
   std::vector<float> error;
-  cv::calcOpticalFlowPyrLK(a, b, from, to, found, error, window, levels, until);
-  cv::calcOpticalFlowPyrLK(b, a, to, home, found_home, error, window, levels, until);
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    Landmark& point = result.landmarks.points[index[k]];
-    const double return_error = cv::norm(home[k] - from[k]);
-    const bool kept = found[k] && found_home[k] && return_error <= options.max_return_error_px &&
-                      inside(static_cast<double>(to[k].x), static_cast<double>(to[k].y), current.width, current.height);
-    point.valid = kept;
-    if (!kept) continue;
-    point.x_px = static_cast<double>(to[k].x);
-    point.y_px = static_cast<double>(to[k].y);
-    result.return_error_px = std::max(result.return_error_px, return_error);
+  const cv::Size window(static_cast<int>(options.window_px), static_cast<int>(options.window_px));
+  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.001);
+  cv::calcOpticalFlowPyrLK(from, to, a, b, found, error, window, static_cast<int>(options.levels), until,
+                           cv::OPTFLOW_USE_INITIAL_FLOW);
+  std::vector<Sighting> out = points;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].x_px = static_cast<double>(b[i].x);
+    out[i].y_px = static_cast<double>(b[i].y);
+    if (!found[i] || !inside(out[i].x_px, out[i].y_px, to.cols, to.rows)) forget(out[i]);
+  }
+  return out;
+}
+
+// Takes the valid points of the previous frame to this one. Lost and implausible points come back forgotten.
+std::vector<Sighting> follow(const Grey& previous, const Grey& current, const Landmarks& start,
+                             const TrackKltOptions& options, TrackKltResult& result) {
+  const auto& points = result.landmarks.points;
+  std::vector<Sighting> from;
+  for (const Landmark& point : points) {
+    from.push_back({point.x_px, point.y_px});
+    if (point.valid) add_information(previous, static_cast<int>(options.window_px), from.back());
+  }
+  const cv::Mat a = eight_bit(previous), b = eight_bit(current);
+  std::vector<Sighting> to = flow(a, b, from, from, options);
+  // Points that went elsewhere than their neighbours get another try from where these say that they are.
+  constexpr int tries = 3;
+  for (int i = 0; i < tries; ++i) {
+    const std::vector<Sighting> guess = settle(start, to, options.stiffness);
+    const std::vector<Sighting> again = flow(a, b, from, guess, options);
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      const double off = std::hypot(to[k].x_px - guess[k].x_px, to[k].y_px - guess[k].y_px);
+      if (is_seen(from[k]) && (!is_seen(to[k]) || off > 1)) to[k] = again[k];
+    }
+  }
+  const std::vector<Sighting> home = flow(b, a, to, to, options), settled = settle(start, to, options.stiffness);
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    if (!is_seen(to[k])) continue;
+    const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
+    const double return_error = sure_length_px(from[k], dx, dy);
+    const double off = sure_length_px(from[k], to[k].x_px - settled[k].x_px, to[k].y_px - settled[k].y_px);
+    const bool kept = is_seen(home[k]) && return_error <= options.max_return_error_px && off <= options.max_offset_px;
+    if (kept)
+      result.return_error_px = std::max(result.return_error_px, return_error);
+    else
+      forget(to[k]);
+  }
+  return to;
+}
+
+// Moves points onto their own patches where these are seen again. Fades in, so that a patch that comes and goes does not make
+// the point jump.
+void anchor(const Grey& current, const Image& patches, const TrackKltOptions& options, std::vector<Sighting>& sightings) {
+  const int side = static_cast<int>(options.window_px);
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    Sighting& seen = sightings[i];
+    if (!is_seen(seen)) continue;
+    const PatchMatch match = align_patch(patch_of(patches, i, side), side, current, seen.x_px, seen.y_px);
+    if (!match.converged || std::hypot(match.x_px - seen.x_px, match.y_px - seen.y_px) > options.max_anchor_px) continue;
+    const double share = std::clamp((match.likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
+    seen.x_px += share * (match.x_px - seen.x_px);
+    seen.y_px += share * (match.y_px - seen.y_px);
   }
 }
 
-// Sets points onto their own patches where these are seen again, and looks for lost ones.
-void anchor(const Grey& current, const Landmarks& start, const TrackKltOptions& options, TrackKltResult& result) {
+// Looks for the lost points by their own patches, about where the others say that they are.
+void recover(const Grey& current, const Landmarks& start, const Image& patches, const TrackKltOptions& options,
+             std::vector<Sighting>& sightings) {
   const int side = static_cast<int>(options.window_px);
-  const Layout layout(start, result.landmarks);
-  for (std::size_t i = 0; i < result.landmarks.points.size(); ++i) {
+  const std::vector<Sighting> expected = settle(start, sightings, options.stiffness);
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (is_seen(sightings[i])) continue;
+    const PatchMatch match =
+        search_patch(patch_of(patches, i, side), side, current, expected[i].x_px, expected[i].y_px, options.search_px);
+    const bool found = match.converged && match.likeness >= options.min_likeness &&
+                       inside(match.x_px, match.y_px, current.width, current.height) &&
+                       std::hypot(match.x_px - expected[i].x_px, match.y_px - expected[i].y_px) <= options.search_px;
+    if (!found) continue;
+    sightings[i].x_px = match.x_px;
+    sightings[i].y_px = match.y_px;
+    add_information(current, side, sightings[i]);
+  }
+}
+
+void track(const Grey& previous, const Grey& current, const Landmarks& start, const TrackKltOptions& options,
+           TrackKltResult& result) {
+  std::vector<Sighting> sightings = follow(previous, current, start, options, result);
+  anchor(current, result.patches, options, sightings);
+  recover(current, start, result.patches, options, sightings);
+  const std::vector<Sighting> settled = settle(start, sightings, options.stiffness);
+  for (std::size_t i = 0; i < settled.size(); ++i) {
     Landmark& point = result.landmarks.points[i];
-    const std::vector<float> patch = patch_of(result.patches, i, side);
-    if (point.valid) {
-      const PatchMatch match = align_patch(patch, side, current, point.x_px, point.y_px);
-      const double moved = std::hypot(match.x_px - point.x_px, match.y_px - point.y_px);
-      if (!match.converged || moved > 1) continue;
-      // Fades in, so that a patch that comes and goes does not make the point jump.
-      const double share = std::clamp((match.likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
-      point.x_px += share * (match.x_px - point.x_px);
-      point.y_px += share * (match.y_px - point.y_px);
-    } else {
-      const cv::Point2d expected = layout.place(start.points[i]);
-      const PatchMatch match = search_patch(patch, side, current, expected.x, expected.y, options.search_px);
-      if (match.likeness < options.min_likeness || !match.converged) continue;
-      if (!inside(match.x_px, match.y_px, current.width, current.height)) continue;
-      point = {point.name, match.x_px, match.y_px, true};
-    }
+    point.valid = is_seen(settled[i]) && inside(settled[i].x_px, settled[i].y_px, current.width, current.height);
+    if (point.valid) point = {point.name, settled[i].x_px, settled[i].y_px, true};
   }
 }
 
@@ -174,8 +214,7 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
   if (prior) {
     result = *prior;
     result.return_error_px = 0;
-    follow(grey_of(frames[frames.centre_index() - 1]), current, options, result);
-    anchor(current, start, options, result);
+    track(grey_of(frames[frames.centre_index() - 1]), current, start, options, result);
   } else {
     result.landmarks = start;
     result.patches = {side * static_cast<int>(start.points.size()), side, 1, {}};

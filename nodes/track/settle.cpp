@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/settle.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "nodes/base/check.h"
+
+namespace face::track {
+namespace {
+
+using Place = std::complex<double>;
+
+// The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two dimensions
+// as complex numbers), applied to all. A translation where fewer than two are seen.
+std::vector<Place> carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings) {
+  Place start_mean = 0, seen_mean = 0, product = 0;
+  double count = 0, square = 0;
+  const auto at = [&](std::size_t i) { return Place(start.points[i].x_px, start.points[i].y_px); };
+  const auto seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (!seen(i)) continue;
+    start_mean += at(i);
+    seen_mean += Place(sightings[i].x_px, sightings[i].y_px);
+    ++count;
+  }
+  if (count > 0) start_mean /= count, seen_mean /= count;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (!seen(i)) continue;
+    product += std::conj(at(i) - start_mean) * (Place(sightings[i].x_px, sightings[i].y_px) - seen_mean);
+    square += std::norm(at(i) - start_mean);
+  }
+  const Place turn = count > 1 && square > 0 ? product / square : Place(1);
+  std::vector<Place> out;
+  for (std::size_t i = 0; i < sightings.size(); ++i) out.push_back(seen_mean + turn * (at(i) - start_mean));
+  return out;
+}
+
+double start_distance(const Landmarks& start, std::size_t i, std::size_t j) {
+  return std::hypot(start.points[i].x_px - start.points[j].x_px, start.points[i].y_px - start.points[j].y_px);
+}
+
+double median_spacing(const Landmarks& start) {
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < start.points.size(); ++i) {
+    double best = 1e9;
+    for (std::size_t j = 0; j < start.points.size(); ++j)
+      if (i != j) best = std::min(best, start_distance(start, i, j));
+    nearest.push_back(best);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  return std::max(nearest[nearest.size() / 2], 1.0);
+}
+
+}  // namespace
+
+std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>& sightings, double stiffness) {
+  check(sightings.size() == start.points.size(), "sightings has ", sightings.size(), " points, start has ",
+        start.points.size());
+  const std::size_t count = sightings.size();
+  if (count == 0) return {};
+  const std::vector<Place> layout = carry_layout(start, sightings);
+  const double spacing = median_spacing(start);
+
+  // Unknowns: offsets from the layout, x then y of each point.
+  const auto size = static_cast<Eigen::Index>(2 * count);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(size, size) * 1e-9;  // a point with neither sighting nor neighbour: the layout's
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto x = static_cast<Eigen::Index>(2 * i), y = x + 1;
+    const Sighting& s = sightings[i];
+    const double ox = s.x_px - layout[i].real(), oy = s.y_px - layout[i].imag();
+    a(x, x) += s.xx;
+    a(x, y) += s.xy;
+    a(y, x) += s.xy;
+    a(y, y) += s.yy;
+    b(x) += s.xx * ox + s.xy * oy;
+    b(y) += s.xy * ox + s.yy * oy;
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const double d = start_distance(start, i, j) / spacing;
+      const double spring = std::max(stiffness, 1e-6) * std::exp(-0.5 * d * d);
+      for (Eigen::Index k = 0; k < 2; ++k) {
+        const Eigen::Index p = x + k, q = static_cast<Eigen::Index>(2 * j) + k;
+        a(p, p) += spring;
+        a(q, q) += spring;
+        a(p, q) -= spring;
+        a(q, p) -= spring;
+      }
+    }
+  }
+  const Eigen::VectorXd offset = a.ldlt().solve(b);
+  std::vector<Sighting> out = sightings;
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i].x_px = layout[i].real() + offset(static_cast<Eigen::Index>(2 * i));
+    out[i].y_px = layout[i].imag() + offset(static_cast<Eigen::Index>(2 * i + 1));
+  }
+  return out;
+}
+
+double sure_length_px(const Sighting& s, double dx_px, double dy_px) {
+  const double mean = (s.xx + s.yy) / 2, largest = mean + std::hypot((s.xx - s.yy) / 2, s.xy);
+  if (largest <= 0) return std::hypot(dx_px, dy_px);
+  return std::sqrt(std::max(0.0, s.xx * dx_px * dx_px + 2 * s.xy * dx_px * dy_px + s.yy * dy_px * dy_px) / largest);
+}
+
+}  // namespace face::track
