@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/speech/read_phones.h"
+#include "engine/node.h"
+
+using namespace engine::declare;
+using namespace face::speech;
+
+NODE("speech.read_phones", &read_phones, version{1},
+     doc{"Reads an alignment made elsewhere: a Praat TextGrid or a phones.json."},
+     input{"file", "TextGrid with a tier \"phones\" (and \"words\"), or phones.json"},
+     input{"audio", "The recording, to find the bursts of stops"},
+     output("phones", "Phones with their times, stops as closure and release"));
