@@ -21,7 +21,8 @@ std::string encode_png(const Image& image) {
   check(image.pixels.size() == expected, "the image has ", image.pixels.size(), " bytes, expected ", expected, " for ",
         image.width, " x ", image.height, " x ", image.channels);
   const cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
-  cv::Mat bgr = view;
+  cv::Mat bgr;  // not a second header of the view: the conversion would write into the caller's image
+  if (image.channels == 1) bgr = view;
   if (image.channels == 3) cv::cvtColor(view, bgr, cv::COLOR_RGB2BGR);
   if (image.channels == 4) cv::cvtColor(view, bgr, cv::COLOR_RGBA2BGRA);
   std::vector<std::uint8_t> bytes;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/export/gltf_buffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "nodes/base/check.h"
+
+namespace face::exports {
+namespace {
+
+// Constants of the glTF 2.0 specification, sections 3.6.2.2 and 4.4.
+constexpr int float_component = 5126;
+constexpr int uint_component = 5125;
+constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+
+void append_uint(std::string& out, std::uint32_t value) {
+  char bytes[4];
+  std::memcpy(bytes, &value, 4);
+  out.append(bytes, 4);
+}
+
+void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+
+void set_bounds(nlohmann::json& accessor, const Vec3f& low, const Vec3f& high) {
+  accessor["min"] = low;
+  accessor["max"] = high;
+}
+
+// Bounds of vectors; from zero where the rest of an accessor is zero.
+std::pair<Vec3f, Vec3f> bounds_of(const std::vector<Vec3f>& values, bool and_zero) {
+  if (values.empty()) return {{0, 0, 0}, {0, 0, 0}};
+  Vec3f low = and_zero ? Vec3f{0, 0, 0} : values.front(), high = low;
+  for (const Vec3f& value : values)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], value[axis]);
+      high[axis] = std::max(high[axis], value[axis]);
+    }
+  return {low, high};
+}
+
+}  // namespace
+
+int GltfBuffer::add_view(const void* data, std::size_t size, Target target) {
+  pad(bytes, '\0');
+  nlohmann::json view = {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", size}};
+  if (target != Target::none) view["target"] = static_cast<int>(target);
+  bytes.append(static_cast<const char*>(data), size);
+  views.push_back(std::move(view));
+  return static_cast<int>(views.size()) - 1;
+}
+
+int GltfBuffer::add_accessor(nlohmann::json accessor) {
+  accessors.push_back(std::move(accessor));
+  return static_cast<int>(accessors.size()) - 1;
+}
+
+int GltfBuffer::add_vectors(const std::vector<Vec3f>& values, bool with_bounds) {
+  nlohmann::json accessor = {{"bufferView", add_view(values.data(), values.size() * sizeof(Vec3f), Target::vertices)},
+                             {"componentType", float_component}, {"count", values.size()}, {"type", "VEC3"}};
+  if (with_bounds) {
+    const auto [low, high] = bounds_of(values, false);
+    set_bounds(accessor, low, high);
+  }
+  return add_accessor(std::move(accessor));
+}
+
+int GltfBuffer::add_vectors(const std::vector<Vec2f>& values) {
+  return add_accessor({{"bufferView", add_view(values.data(), values.size() * sizeof(Vec2f), Target::vertices)},
+                       {"componentType", float_component}, {"count", values.size()}, {"type", "VEC2"}});
+}
+
+int GltfBuffer::add_indices(const std::vector<std::uint32_t>& values) {
+  return add_accessor({{"bufferView", add_view(values.data(), values.size() * sizeof(std::uint32_t), Target::indices)},
+                       {"componentType", uint_component}, {"count", values.size()}, {"type", "SCALAR"}});
+}
+
+int GltfBuffer::add_scalars(const std::vector<float>& values, bool with_bounds) {
+  nlohmann::json accessor = {{"bufferView", add_view(values.data(), values.size() * sizeof(float), Target::none)},
+                             {"componentType", float_component}, {"count", values.size()}, {"type", "SCALAR"}};
+  if (with_bounds) {
+    accessor["min"] = {*std::min_element(values.begin(), values.end())};
+    accessor["max"] = {*std::max_element(values.begin(), values.end())};
+  }
+  return add_accessor(std::move(accessor));
+}
+
+int GltfBuffer::add_sparse_vectors(std::size_t count, const std::vector<std::uint32_t>& vertices,
+                                   const std::vector<Vec3f>& values) {
+  nlohmann::json accessor = {{"componentType", float_component}, {"count", count}, {"type", "VEC3"}};
+  // An accessor without a buffer view is all zeros. (Sparse with no element would be invalid.)
+  const auto [low, high] = bounds_of(values, vertices.size() < count);
+  set_bounds(accessor, low, high);
+  if (!vertices.empty()) {
+    const int indices_view = add_view(vertices.data(), vertices.size() * sizeof(std::uint32_t), Target::none);
+    const int values_view = add_view(values.data(), values.size() * sizeof(Vec3f), Target::none);
+    accessor["sparse"] = {{"count", vertices.size()},
+                          {"indices", {{"bufferView", indices_view}, {"componentType", uint_component}}},
+                          {"values", {{"bufferView", values_view}}}};
+  }
+  return add_accessor(std::move(accessor));
+}
+
+std::string glb_bytes(nlohmann::json document, std::string binary) {
+  pad(binary, '\0');
+  document["buffers"] = {{{"byteLength", binary.size()}}};
+  std::string text = document.dump();
+  pad(text, ' ');
+  const std::size_t size = 12 + 8 + text.size() + 8 + binary.size();
+  check(size <= std::numeric_limits<std::uint32_t>::max(), "the GLB would have ", size, " bytes, which is more than the ",
+        std::numeric_limits<std::uint32_t>::max(), " that the format can hold");
+  std::string out;
+  out.reserve(size);
+  append_uint(out, glb_magic);
+  append_uint(out, 2);
+  append_uint(out, static_cast<std::uint32_t>(size));
+  append_uint(out, static_cast<std::uint32_t>(text.size()));
+  append_uint(out, json_chunk);
+  out += text;
+  append_uint(out, static_cast<std::uint32_t>(binary.size()));
+  append_uint(out, binary_chunk);
+  out += binary;
+  return out;
+}
+
+}  // namespace face::exports
