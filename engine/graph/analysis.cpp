@@ -316,7 +316,7 @@ class Analysis {
       states_[link.node].needed = true;
       open.push_back(link.node);
     };
-    for (const FlatOutput* output : outputs_) need(output->link);
+    for (const FlatOutput& output : flat_.outputs) need(output.link);
     while (!open.empty()) {
       const int node = open.back();
       open.pop_back();
@@ -335,7 +335,7 @@ class Analysis {
           std::error_code code;
           const auto status = std::filesystem::status(link.path, code);
           if (!std::filesystem::exists(status))
-            problem(link.value_place, "the file " + link.shown_path + " does not exist" );
+            problem(link.value_place, "the file " + link.shown_path + " does not exist");
           else if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status))
             problem(link.value_place, link.shown_path + " is neither a file nor a folder");
         }

@@ -13,8 +13,9 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-// Subgraphs multiply; a small file must not ask for all memory.
-constexpr std::size_t most_nodes = 1000000;
+// Subgraphs multiply: a small file must not ask for all memory, or exhaust the stack.
+constexpr std::size_t most_nodes = 100000;
+constexpr int most_nested = 64;
 
 constexpr const char* what_a_name_is = "names are made of letters, digits and '_', and start with no digit";
 
@@ -38,6 +39,22 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
     text += "'" + names[i] + "'";
   }
   return text;
+}
+
+std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names) {
+  const std::string nearest = did_you_mean(name, names);
+  if (!nearest.empty()) return nearest;
+  return names.empty() ? "; it has none" : "; it has " + listed(names);
+}
+
+void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names, std::vector<std::string>& missing) {
+  std::size_t unclear = 0;
+  for (const std::string& name : misspelt) {
+    const std::string nearest = nearest_name(name, names);
+    if (nearest.empty()) ++unclear;
+    std::erase(missing, nearest);
+  }
+  missing.erase(missing.begin(), missing.begin() + static_cast<std::ptrdiff_t>(std::min(unclear, missing.size())));
 }
 
 Builder::Builder(const GraphContext& context, const std::vector<Setting>& settings, const std::string& folder,
@@ -88,10 +105,7 @@ int Builder::add_scope(const GraphFile& file, int parent, const std::string& pre
   scope.parent = parent;
   scope.prefix = prefix;
   scope.usable = file.usable;
-  if (!file.usable) {
-    unread_subgraph_ = true;
-    return index;
-  }
+  if (!file.usable) return index;
   check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "layout"}, "a graph");
   if (const JsonMember* doc = file.tree.find("doc"); doc != nullptr && !doc->value.is(Kind::string))
     problem(doc->value.place(), "found " + found(doc->value) + ", expected a text");
@@ -111,7 +125,7 @@ void Builder::read_inputs(int index, const JsonMember* embedding) {
     scope.usable = false;
     return;
   }
-  std::vector<std::string> names;
+  std::vector<std::string> names, missing, misspelt;
   if (const JsonMember* const inputs = scope.file->tree.find("inputs")) {
     if (!inputs->value.is(Kind::object)) {
       problem(inputs->value.place(), "found " + found(inputs->value) + ", expected an object of names and types");
@@ -133,16 +147,20 @@ void Builder::read_inputs(int index, const JsonMember* embedding) {
       if (const JsonMember* const connected = given != nullptr ? given->value.find(member.key) : nullptr)
         input.given = &connected->value;
       else
-        problem(embedding->place(), "the input '" + member.key + "' of " + scope.file->source.shown + " is not connected");
+        missing.push_back(member.key);
     }
   }
-  if (given == nullptr) return;
-  for (const JsonMember& member : given->value.members) {
+  for (std::size_t i = 0; given != nullptr && i < given->value.members.size(); ++i) {
+    const JsonMember& member = given->value.members[i];
     if (scope.inputs.count(member.key) != 0) continue;
+    misspelt.push_back(member.key);
     const bool is_param = scope.params.count(member.key) != 0;
     problem(member.place(), scope.file->source.shown + " has no input " + quoted_text(member.key) +
-                                (is_param ? "; it is one of its \"params\"" : did_you_mean(member.key, names)));
+                                (is_param ? "; it is one of its \"params\"" : did_you_mean_of(member.key, names)));
   }
+  forgive_missing(misspelt, names, missing);
+  for (const std::string& name : missing)
+    problem(embedding->place(), "the input '" + name + "' of " + scope.file->source.shown + " is not connected");
 }
 
 void Builder::read_outputs(int index) {
@@ -187,7 +205,7 @@ void Builder::read_nodes(int index) {
   for (const JsonMember& member : nodes->value.members) {
     if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of a node: " + what_a_name_is);
     scopes_[index].entry_names.push_back(member.key);
-    if (nodes_.size() >= most_nodes) {
+    if (nodes_.size() + scopes_.size() >= most_nodes) {
       problem(member.place(), "the graph has more than " + std::to_string(most_nodes) + " nodes");
       return;
     }
@@ -248,7 +266,6 @@ void Builder::read_subgraph(int index, const JsonMember& member, const JsonValue
     scope.parent = index;
     scope.prefix = prefix;
     scope.usable = false;
-    unread_subgraph_ = true;
   };
   if (!graph.is(Kind::string) || graph.text.empty()) {
     problem(graph.place(), "found " + found(graph) + ", expected the path of a graph file");
@@ -256,7 +273,12 @@ void Builder::read_subgraph(int index, const JsonMember& member, const JsonValue
   }
   const std::string path = resolve_path(*graph.source, graph.text);
   std::string ring;
+  int nested = 0;
   for (int at = index; at >= 0; at = scopes_[at].parent) {
+    if (++nested > most_nested) {
+      problem(graph.place(), "subgraphs are nested deeper than " + std::to_string(most_nested) + " levels");
+      return unusable();
+    }
     ring = scopes_[at].file->source.shown + " embeds " + ring;
     if (scopes_[at].file->path != path) continue;
     problem(graph.place(), "a graph cannot embed itself: " + ring + scopes_[at].file->source.shown);
@@ -305,7 +327,7 @@ void Builder::read_overrides(int index, const JsonValue& overrides, FlatNode& no
       const int param = node.info->find_param(given.key);
       ParamValue value;
       if (param < 0)
-        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean(given.key, names));
+        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean_of(given.key, names));
       else if (read_value(index, given.value, node.info->params[param], value))
         override.params.emplace_back(param, std::move(value));
     }

@@ -118,7 +118,7 @@ class Builder {
   std::vector<FlatNode> nodes_;
   std::set<const JsonValue*> blamed_;                   // values of parameters that a problem names already
   std::optional<std::vector<std::string>> node_types_;
-  bool unread_subgraph_ = false;
+  int link_depth_ = 0;
 
  public:
   Documents& documents() { return documents_; }
@@ -127,7 +127,14 @@ class Builder {
 // True for "${x}"; name gets the x.
 bool is_substitution(const std::string& text, std::string& name);
 
-// "a", "b" and "c"; each in quotes.
+// Takes the place of did_you_mean() where names are few: the nearest one, else all there are.
+std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names);
+
+// Which of some missing things are nobody's fault but a misspelt name's, so that one mistake is told once: the nearest ones,
+// and as many more as there are misspelt names without a nearest one.
+void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names, std::vector<std::string>& missing);
+
+// 'a', 'b' and 'c'.
 std::string listed(const std::vector<std::string>& names, const char* last = "and");
 
 }  // namespace engine

@@ -17,6 +17,8 @@ bool looks_like_a_path(const std::string& text) {
          text.starts_with("~") || text.starts_with("$");
 }
 
+constexpr int most_hops = 200;  // of one reference through inputs and outputs of subgraphs: keeps the stack small
+
 const char* const how_files_come_in = ": a file comes in as a parameter of type \"path\", written \"${name}\", or as {\"file\": \"path\"}";
 
 }  // namespace
@@ -33,7 +35,7 @@ void Builder::link_nodes() {
     const auto name_of = [](const InputInfo& input) { return input.name; };
     std::vector<std::string> names;
     std::transform(node.info->inputs.begin(), node.info->inputs.end(), std::back_inserter(names), name_of);
-    std::vector<std::string> meant;  // ports whose name was misspelt: that they are missing is no second problem
+    std::vector<std::string> misspelt, missing;
     std::vector<bool> given(names.size(), false);
     if (inputs != nullptr && !inputs->value.is(Kind::object)) {
       problem(inputs->value.place(), "found " + found(inputs->value) + ", expected an object of inputs: {\"port\": \"node\"}");
@@ -46,8 +48,8 @@ void Builder::link_nodes() {
       if (port < 0) {
         const bool param = node.info->find_param(member.key) >= 0;
         problem(member.place(), "'" + node.info->name + "' has no input " + quoted_text(member.key) +
-                                    (param ? "; it is one of its \"params\"" : did_you_mean(member.key, names)));
-        meant.push_back(nearest_name(member.key, names));
+                                    (param ? "; it is one of its \"params\"" : did_you_mean_of(member.key, names)));
+        misspelt.push_back(member.key);
         continue;
       }
       given[port] = true;
@@ -62,12 +64,11 @@ void Builder::link_nodes() {
         for (const JsonValue& item : member.value.items) links.push_back(link(deferred.scope, item));
       }
     }
-    for (std::size_t port = 0; port < names.size(); ++port) {
-      if (given[port] || node.info->inputs[port].optional) continue;
-      node.input_missing = true;
-      if (std::find(meant.begin(), meant.end(), names[port]) == meant.end())
-        problem(node.place, "the input '" + names[port] + "' of '" + node.info->name + "' is not connected");
-    }
+    for (std::size_t port = 0; port < names.size(); ++port)
+      if (!given[port] && !node.info->inputs[port].optional) missing.push_back(names[port]);
+    node.input_missing = !missing.empty();
+    forgive_missing(misspelt, names, missing);
+    for (const std::string& name : missing) problem(node.place, "the input '" + name + "' of '" + node.info->name + "' is not connected");
   }
 }
 
@@ -109,12 +110,15 @@ Link Builder::link_output(int index, const std::string& name) {
 
 Link Builder::link(int index, const JsonValue& written) {
   Link result;
+  if (link_depth_ >= most_hops) return broken(written.place(), "the reference passes through more than " + std::to_string(most_hops) + " subgraphs");
+  ++link_depth_;
   if (written.is(Kind::string))
     result = link_text(index, written);
   else if (written.is(Kind::object))
     result = link_file(written);
   else
     result = broken(written.place(), "found " + found(written) + ", expected a reference such as \"node\", \"node.output\" or \"${name}\"");
+  --link_depth_;
   result.place = written.place();
   return result;
 }
@@ -167,7 +171,7 @@ Link Builder::link_input(int index, const JsonValue& written) {
     if (!scope.usable) return {};
     std::vector<std::string> names;
     for (const auto& entry : scope.inputs) names.push_back(entry.first);
-    return broken(written.place(), "the graph has no input '" + reference.node + "'" + did_you_mean(reference.node, names));
+    return broken(written.place(), "the graph has no input '" + reference.node + "'" + did_you_mean_of(reference.node, names));
   }
   Scope::Input& input = known->second;
   if (input.given == nullptr) return {};
@@ -229,9 +233,7 @@ Link Builder::link_text(int index, const JsonValue& written) {
   if (!reference.output.empty()) {
     chosen = std::find(names.begin(), names.end(), reference.output);
     if (chosen == names.end()) {
-      const std::string what = names.empty() ? " (it has none)" : did_you_mean(reference.output, names);
-      return broken(written.place(), "'" + reference.node + "' has no output '" + reference.output + "'" +
-                                         (what.empty() ? "; it has " + listed(names) : what));
+      return broken(written.place(), "'" + reference.node + "' has no output '" + reference.output + "'" + did_you_mean_of(reference.output, names));
     }
   } else if (names.size() != 1) {
     if (names.empty()) return broken(written.place(), "'" + reference.node + "' has no output");

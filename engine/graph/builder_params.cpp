@@ -84,7 +84,7 @@ void Builder::report_unused_settings() {
       if (setting.used) continue;
       const Place place{command_line_.shown, 0, 0, setting.pointer};
       if (node.empty()) {
-        problem(place, "the graph has no parameter '" + setting.name + "'" + did_you_mean(setting.name, keys_of(scopes_[0].params)));
+        problem(place, "the graph has no parameter '" + setting.name + "'" + did_you_mean_of(setting.name, keys_of(scopes_[0].params)));
         continue;
       }
       std::vector<std::string> names;
@@ -107,7 +107,7 @@ void Builder::report_unused_settings() {
       }
       if (!readable) continue;
       if (known)
-        problem(place, "the node '" + node + "' has no parameter '" + setting.name + "'" + did_you_mean(setting.name, names));
+        problem(place, "the node '" + node + "' has no parameter '" + setting.name + "'" + did_you_mean_of(setting.name, names));
       else
         problem(place, "the graph has no node '" + node + "'" + did_you_mean(node, node_ids));
     }
@@ -194,7 +194,7 @@ void Builder::read_params(int index, const JsonMember* embedding) {
   if (given == nullptr || !given_usable) return;
   for (const JsonMember& member : given->value.members)
     if (scope.params.count(member.key) == 0)
-      problem(member.place(), scope.file->source.shown + " has no parameter " + quoted_text(member.key) + did_you_mean(member.key, keys_of(scope.params)));
+      problem(member.place(), scope.file->source.shown + " has no parameter " + quoted_text(member.key) + did_you_mean_of(member.key, keys_of(scope.params)));
 }
 
 // The value of a graph's parameter: what is set, else what the embedding node gives, else the default.
@@ -202,12 +202,13 @@ void Builder::bind_param(int index, BoundParam& bound, const JsonMember& declare
   const Scope& scope = scopes_[index];
   const auto check = [&](const JsonValue& value) {
     std::string error;
-    if (bound.path && (!value.is(Kind::string) || value.text.empty()))
+    if (value.line > 0 && value.is(Kind::string) && value.text.find("${") != std::string::npos)
+      error = "found " + found(value) + ": nothing is put in place of \"${name}\" here";
+    else if (bound.path && (!value.is(Kind::string) || value.text.empty()))
       error = "found " + found(value) + ", expected a path";
-    else if (!read_param(value, bound.type, error)) {
-    } else {
-      return true;
-    }
+    else
+      read_param(value, bound.type, error);
+    if (error.empty()) return true;
     problem(value.place(), error);
     bound.broken = true;
     return false;
@@ -268,7 +269,7 @@ const BoundParam* Builder::find_param(int index, const JsonValue& written) {
   const auto known = scopes_[index].params.find(name);
   if (known != scopes_[index].params.end()) return &known->second;
   if (const JsonMember* const params = scopes_[index].file->tree.find("params"); params == nullptr || params->value.is(Kind::object))
-    problem(written.place(), "the graph has no parameter '" + name + "'" + did_you_mean(name, keys_of(scopes_[index].params)));
+    problem(written.place(), "the graph has no parameter '" + name + "'" + did_you_mean_of(name, keys_of(scopes_[index].params)));
   return nullptr;
 }
 
@@ -325,7 +326,7 @@ void Builder::read_node_params(int index, const JsonMember& member, FlatNode& no
       else if (node.info->find_input(given.key) >= 0)
         problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + "; it is one of its \"inputs\"");
       else
-        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean(given.key, names));
+        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean_of(given.key, names));
     }
   }
   const auto settings = settings_.find(node.id);

@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t most_bytes = 64 << 20;  // a graph of a million nodes; anything larger is no graph
 
+constexpr std::size_t most_extended = 64;
+
 std::string joined(const std::string& folder, const std::string& path) {
   return (fs::path(folder) / path).lexically_normal().string();
 }
@@ -49,6 +51,10 @@ const GraphFile& Documents::read_extended(const std::string& path, const std::st
   }
   const std::string base_path = resolve_path(file.source, extends->value.text);
   const std::string base_shown = shown_path(file.source, extends->value.text);
+  if (chain.size() >= most_extended) {
+    problems_.push_back({extends->value.place(), "more than " + std::to_string(most_extended) + " files extend each other"});
+    return file;
+  }
   chain.push_back(path);
   if (const auto start = std::find(chain.begin(), chain.end(), base_path); start != chain.end()) {
     std::string ring;

@@ -107,6 +107,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       if (at != std::string::npos && (at < 40 || prefix[0] == ' ')) message.erase(0, at + std::char_traits<char>::length(prefix));
     }
     start_token();
+    const char next = start_ < text_.size() ? text_[start_] : '\0';
+    if (comma_ && (next == '}' || next == ']')) message = std::string("a comma stands before '") + next + "'";
+    else if (!comma_ && message.starts_with("unexpected") && (message.ends_with("expected '}'") || message.ends_with("expected ']'"))) message += " or a comma";
+    else if (message.find("U+000A") != std::string::npos) message = "the string is not closed in its line";
     problems_.push_back({{source_.shown, line_, column_, {}}, "not valid JSON: " + message});
     return false;
   }
@@ -122,6 +126,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   void start_token() {
     std::size_t at = previous_end_;
+    comma_ = false;
     const auto end_of = [&](std::string_view mark, std::size_t from) { return std::min(text_.find(mark, from), text_.size()); };
     while (at < text_.size()) {
       const char c = text_[at];
@@ -130,7 +135,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       else if (c == '/' && at + 1 < text_.size() && text_[at + 1] == '*')
         at = std::min(end_of("*/", at + 2) + 2, text_.size());
       else if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == ':')
-        ++at;
+        comma_ = comma_ || c == ',', ++at;
       else
         break;
     }
@@ -209,6 +214,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::deque<Level> levels_;  // values may live in it: they must not move
   std::size_t previous_end_ = 0, start_ = 0, counted_ = 0;
   int line_ = 1, column_ = 1;
+  bool comma_ = false;  // one stands before the token
 };
 
 // A copy of a patch's value without the nulls in its objects.
