@@ -222,6 +222,7 @@ class Transaction {
 
 Index::Index(const std::string& folder) : folder_(folder), path_(folder + "/index.sqlite") {
   reader_ = std::make_unique<Connection>(folder_, path_);
+  reader_->run("PRAGMA synchronous = NORMAL");
   if (reader_->number("SELECT count(*) FROM sqlite_master WHERE name = 'meta'") == 0) {
     reader_->run("PRAGMA journal_mode = WAL");
     Transaction transaction(*reader_);
