@@ -11,7 +11,7 @@ namespace face::phantom {
 namespace {
 
 constexpr double kOuterReach = 16.6, kInnerReach = 15.0;  // corners from the eye's centre, mm
-constexpr double kUpperHeight = 7.3, kLowerHeight = 5.6;  // of the opening, above and below the line of the corners
+constexpr double kUpperHeight = 6.1, kLowerHeight = 5.5;  // of the opening, above and below the line of the corners
 constexpr double kOuterRise = 1.0;                        // the outer corner lies above the inner one
 constexpr double kOuterZ = 83.5, kInnerZ = 89.5;
 
@@ -30,11 +30,11 @@ constexpr std::array<LidRing, 6> kLidRings = {{{2.6, 2.6, 0.25, 0},
 }  // namespace
 
 double lid_position(int column) {
-  const double t = (column <= 25 ? column : kEyeColumns - column) / 25.0;
+  const double t = (column <= kEyeColumns / 2 ? column : kEyeColumns - column) / (0.5 * kEyeColumns);
   return 0.5 * (1 - 2 * t) + 0.5 * std::cos(std::numbers::pi * t);
 }
 
-int lid_side(int column) { return column % 25 == 0 ? 0 : column < 25 ? 1 : -1; }
+int lid_side(int column) { return column % (kEyeColumns / 2) == 0 ? 0 : column < kEyeColumns / 2 ? 1 : -1; }
 
 Vector3 lid_point(int ring, int column) {
   const LidRing& lid = kLidRings[static_cast<std::size_t>(ring - kEyeDeepestRing)];

@@ -16,11 +16,20 @@ struct Eyes {
 };
 Eyes add_eyes(HeadBuilder& head);
 
-// Upper lashes as one part. Each vertex hangs on a vertex of the skin (`anchor`, one per vertex).
+// Vertices that hang on the skin: each moves by the weighted sum of its anchors' offsets.
+struct Anchor {
+  std::uint32_t vertex = 0;
+  double weight = 1;
+};
 struct Attached {
   VertexRange range;
-  std::vector<std::uint32_t> anchors;
+  std::vector<std::vector<Anchor>> anchors;  // one list per vertex
 };
+
+// Upper lashes as one part.
 Attached add_lashes(HeadBuilder& head, const Skin& skin);
+
+// Adds the anchors of the right side, where the anchors of the left side are given.
+void mirror_anchors(const HeadBuilder& head, Attached& attached);
 
 }  // namespace face::phantom

@@ -19,9 +19,9 @@ constexpr std::array<std::array<double, 2>, 14> kHairline = {{{0, 51},
                                                               {40, 45},
                                                               {50, 35},
                                                               {60, 25},
-                                                              {68, 15},
-                                                              {75, 10},
-                                                              {82, 17},
+                                                              {68, 18},
+                                                              {75, 15},
+                                                              {82, 20},
                                                               {92, 28},
                                                               {108, 26},
                                                               {122, 6},
@@ -36,7 +36,7 @@ double hairline(double azimuth_deg) {
   return lerp(kHairline[i][1], kHairline[i + 1][1], t * t * (3 - 2 * t));
 }
 
-constexpr int kHairColumns = 120, kHairRows = 26;
+constexpr int kHairColumns = 96, kHairRows = 22;
 
 Vector3 outward(ChartPoint at) {
   const double d = 0.5;
@@ -58,16 +58,17 @@ void add_hair(HeadBuilder& head) {
       const double line = hairline(azimuth), elevation = lerp(line, 89.0, t);
       const double depth = (elevation - line) * 1.9;  // mm from the hairline, roughly
       const double front = smooth_step(60, 20, azimuth);
-      const double lock = std::cos(azimuth * kPi / 180 * 22 + 0.06 * elevation);
+      const double lock = std::cos(azimuth * kPi / 180 * 15 + 0.05 * elevation);
+      const double fine = std::cos(azimuth * kPi / 180 * 37 - 0.09 * elevation);
       double height = lerp(3.0, 7.0, front) * smooth_step(-1, 7, depth) + 7 * smooth_step(2, 45, depth);
-      height += 8 * front * smooth_step(0, 16, depth) * smooth_step(70, 25, depth);
-      height += 0.8 * lock * smooth_step(2, 12, depth) * smooth_step(88, 60, elevation);
+      height += 5 * front * smooth_step(0, 14, depth) * smooth_step(75, 10, depth);
+      height += (1.0 * lock + 0.4 * fine) * smooth_step(2, 12, depth) * smooth_step(89, 62, elevation);
       if (r == 0) height = -2.5;
       const ChartPoint at = {azimuth, std::min(elevation, 89.0)};
       const Vector3 skull = skull_point(at);
-      Vector3 point = skull + (elevation > 80 ? unit(skull - Vector3{0, 30, 15}) : outward(at)) * height;
+      Vector3 point = skull + unit(skull - Vector3{0, 10, 8}) * height;
       if (c > kHairColumns / 2) point.x = -point.x;
-      head.add_vertex(point, lerp(kHairDark, kHairLight, 0.25 + 0.25 * lock + 0.3 * smooth_step(30, 85, elevation)));
+      head.add_vertex(point, lerp(kHairDark, kHairLight, 0.3 + 0.2 * lock + 0.1 * fine + 0.3 * smooth_step(30, 85, elevation)));
     }
   for (int r = 0; r < kHairRows; ++r)
     for (int c = 1; c < kHairColumns / 2; ++c) {
@@ -75,33 +76,48 @@ void add_hair(HeadBuilder& head) {
       head.pair(row + static_cast<std::uint32_t>(c), row + static_cast<std::uint32_t>(kHairColumns - c));
     }
   add_grid(head, first, kHairRows, kHairColumns, true);
-  const std::uint32_t crown = head.add_vertex(skull_point({0, 90}) + Vector3{0, 14.2, 0}, kHairLight);
+  const std::uint32_t crown = head.add_vertex(skull_point({0, 90}) + Vector3{0, 10.0, 0}, kHairLight);
   const std::uint32_t last = first + static_cast<std::uint32_t>((kHairRows - 1) * kHairColumns);
   for (std::uint32_t c = 0; c < kHairColumns; ++c)
     head.add_polygon({last + c, last + (c + 1) % static_cast<std::uint32_t>(kHairColumns), crown});
 }
 
+namespace {
+
+// The skin's vertices about a point, the nearest with the largest weight; weights sum to 1.
+std::vector<Anchor> nearby(const HeadBuilder& head, const Skin& skin, Vector3 point) {
+  std::vector<Anchor> anchors;
+  double sum = 0;
+  for (std::uint32_t v = 0; v < skin.vertices.size(); ++v) {
+    const double d = length(head.points_mm[v] - point);
+    if (d > 9) continue;
+    anchors.push_back({v, bell(d, 3.5)});
+    sum += anchors.back().weight;
+  }
+  for (Anchor& anchor : anchors) anchor.weight /= sum;
+  return anchors;
+}
+
+}  // namespace
+
 Attached add_brows(HeadBuilder& head, const Skin& skin) {
   Attached brows;
   brows.range.first = head.vertex_count();
   const auto first_polygon = static_cast<std::uint32_t>(head.polygon_starts.size() - 1);
-  head.begin_part("brows", {0.20, 0.125, 0.09}, 0.1);
+  head.begin_part("brows", {0.27, 0.175, 0.12}, 0.1);
   constexpr std::uint32_t kColumns = 22, kRows = 5;
   for (std::uint32_t c = 0; c < kColumns; ++c) {
     const double t = c / (kColumns - 1.0);
     const double azimuth = lerp(6.5, 35.0, t);
-    const double elevation = 30.6 + 3.6 * std::sin(kPi * std::pow(t, 1.25) * 0.86) - 1.6 * t * t * t;
-    const double half_width = 1.9 * std::pow(std::sin(kPi * lerp(0.14, 0.985, std::pow(t, 0.75))), 0.7);  // degrees
+    const double elevation = 32.0 + 2.4 * std::sin(kPi * t * 0.8) - 2.9 * t * t * t;
+    const double half_width = 1.55 * std::pow(std::sin(kPi * lerp(0.14, 0.985, std::pow(t, 0.75))), 0.7);  // degrees
     for (std::uint32_t r = 0; r < kRows; ++r) {
       const double w = r / (kRows - 1.0) * 2 - 1;
       const ChartPoint at = {azimuth - 0.5 * w * (1 - t), elevation + w * half_width};
       const Vector3 point = skin_point(at) + outward(at) * lerp(-0.6, 1.7, std::sqrt(1 - w * w) * smooth_step(-0.1, 0.25, t) *
                                                                               smooth_step(1.12, 0.7, t));
       head.add_vertex(point, {1, 1, 1});
-      std::uint32_t nearest = 0;
-      for (std::uint32_t v = 0; v < skin.vertices.size(); ++v)
-        if (length(head.points_mm[v] - point) < length(head.points_mm[nearest] - point)) nearest = v;
-      brows.anchors.push_back(nearest);
+      brows.anchors.push_back(nearby(head, skin, point));
     }
   }
   for (std::uint32_t c = 0; c + 1 < kColumns; ++c)
@@ -109,12 +125,11 @@ Attached add_brows(HeadBuilder& head, const Skin& skin) {
       const std::uint32_t a = brows.range.first + c * kRows + r, b = a + kRows;
       head.add_polygon({a, b, b + 1, a + 1});
     }
-  const std::uint32_t count = static_cast<std::uint32_t>(brows.anchors.size());
   const std::uint32_t polygons = head.parts.back().polygon_count;
   head.add_mirror_image("brows", brows.range.first, first_polygon);
   head.parts.pop_back();
   head.parts.back().polygon_count = 2 * polygons;
-  for (std::uint32_t k = 0; k < count; ++k) brows.anchors.push_back(head.mirror[brows.anchors[k]]);
+  mirror_anchors(head, brows);
   brows.range.end = head.vertex_count();
   return brows;
 }
@@ -150,6 +165,7 @@ void add_ears(HeadBuilder& head) {
       const double a = rho * (ca * (15.5 + 4.0 * sb) - 4.5 * sb) + (1 - rho) * 3;
       const double stand = lerp(15.0, 0.0, smooth_step(-20, 15, a));  // the back edge stands off the head
       double h = stand + 2.0 + ear_relief(rho, turn * 180 / kPi);
+      if (r < 9 && a < 10) h = std::max(h, 1.2);
       if (r == 11) h = stand + 1.5;
       if (r == 12) h = stand - 1.0;
       if (r == 13) h = 0.6 * stand - 3.0;

@@ -101,16 +101,16 @@ constexpr std::array<std::array<double, 2>, 6> kNoseWidth = {{{44, 8}, {30, 7.2}
 Vector3 nose_offset(Vector3 at) {
   const double x = std::abs(at.x), y = at.y;
   if (x > 40 || y > 60 || y < -40 || at.z < 40) return {};
-  const double ridge = profile(kNoseRidge, y);
-  double dz = ridge * std::exp(-std::pow(x / profile(kNoseWidth, y), 2.6));
-  dz += 3.2 * bell(x, 7) * bell(y - 4, 6.5);                                 // tip
-  dz += 7.5 * bell(x - 11, 4.4) * bell(y + 2, 5.5);                          // wings
-  dz -= 1.6 * bell(x - 17.5, 3.5) * bell(y + 2, 7);                          // crease beside the wing
-  const double under = bell(x, 13) * smooth_step(1, -6, y) * smooth_step(-20, -12, y);
-  double dy = (-7.5 - y) * 0.62 * under;
-  const double nostril = bell(x - 5.6, 3.0) * bell(y + 8.2, 2.9);
-  dy += 6.5 * nostril;
-  dz -= 2.5 * nostril;
+  double dz = profile(kNoseRidge, y) * std::exp(-std::pow(x / profile(kNoseWidth, y), 2.6));
+  dz += 3.0 * bell(x, 7.5) * bell(y - 4, 6.5);       // tip
+  dz += 8.0 * bell(x - 10.5, 4.6) * bell(y + 1.5, 5.2);  // wings
+  dz -= 1.5 * bell(x - 17.5, 3.5) * bell(y + 2, 7);  // crease beside the wing
+  // The underside: what slopes from the tip back to the lip is drawn together into a nearly level floor.
+  const double under = bell(x, 15) * smooth_step(2, -5, y) * smooth_step(-19, -11, y);
+  double dy = (-6.5 - y) * 0.70 * under;
+  const double nostril = bell(x - 5.8, 2.9) * bell(y + 5.8, 2.6);
+  dy += 5.5 * nostril;
+  dz -= 1.5 * nostril;
   return {0, dy, dz};
 }
 

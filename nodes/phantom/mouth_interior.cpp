@@ -60,7 +60,7 @@ double arch_angle(const Arch& arch, double length_mm) {
   return angle;
 }
 
-constexpr std::uint32_t kToothColumns = 14;
+constexpr std::uint32_t kToothColumns = 12;
 constexpr std::array<double, 7> kToothRows = {-0.18, 0.0, 0.25, 0.5, 0.75, 0.91, 0.985};  // gum to edge
 
 void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Place& place) {

@@ -17,23 +17,24 @@ bool on_mouth(const SkinVertex& v) { return v.loop == SkinVertex::Loop::mouth; }
 
 std::vector<double> jaw_field(const Head& head) {
   const std::vector<SkinVertex>& skin = head.skin.vertices;
-  std::vector<double> fixed(skin.size(), kFree);
+  std::vector<double> fixed(skin.size(), kFree), lips(skin.size(), kFree);
   for (std::size_t v = 0; v < skin.size(); ++v) {
     const double azimuth = std::abs(skin[v].at.azimuth_deg), elevation = skin[v].at.elevation_deg;
     if (on_mouth(skin[v]) && skin[v].ring < kMouthOuterRing) {
+      // Along the lips such that the open mouth is an oval.
       const int side = lip_side(skin[v].column);
-      if (std::abs(lip_position(skin[v].column)) < 0.62) {
-        if (side > 0) fixed[v] = 0;
-        if (side < 0 && skin[v].ring > -8) fixed[v] = 1;
-      }
-      if (skin[v].ring == kMouthDeepestRing) fixed[v] = side < 0 ? 0.6 : 0.2;
+      const double oval = 0.5 - 0.5 * side * std::pow(1 - square(lip_position(skin[v].column)), 0.45);
+      if (skin[v].ring <= 1 && skin[v].ring > -8) fixed[v] = lips[v] = oval;
+      if (skin[v].ring == kMouthDeepestRing) fixed[v] = lips[v] = side < 0 ? 0.6 : 0.2;
       continue;
     }
-    if (azimuth < 60 && elevation < -34 - 0.05 * azimuth && elevation > -46) fixed[v] = 1;
-    if (elevation > 4 || elevation < -57 || azimuth > 96) fixed[v] = 0;
+    if (azimuth < 48 && elevation < -34 - 0.05 * azimuth && elevation > -46) fixed[v] = 1;
+    if (elevation > 4 || elevation < -64 || azimuth > 100) fixed[v] = lips[v] = 0;
     if (azimuth < 14 && elevation > -12 && elevation < 5) fixed[v] = 0;
   }
-  return diffuse(head, fixed, 900);
+  // First from all that is known; then, smoothly, from the lips alone.
+  std::vector<double> field = diffuse(head, fixed, {}, 900);
+  return diffuse(head, lips, field, 30);
 }
 
 std::vector<double> lower_field(const Head& head) {
@@ -49,14 +50,15 @@ std::vector<double> lower_field(const Head& head) {
     if (skin[v].at.elevation_deg > -5) fixed[v] = 0;
     if (skin[v].at.elevation_deg < -38) fixed[v] = 1;
   }
-  return diffuse(head, fixed, 300);
+  return diffuse(head, fixed, {}, 300);
 }
 
 }  // namespace
 
-std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, int passes) {
+std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, const std::vector<double>& start, int passes) {
   std::vector<double> value(fixed.size()), next(fixed.size());
-  for (std::size_t v = 0; v < fixed.size(); ++v) value[v] = std::isnan(fixed[v]) ? 0 : fixed[v];
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+    value[v] = !std::isnan(fixed[v]) ? fixed[v] : start.empty() ? 0 : start[v];
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t v = 0; v < fixed.size(); ++v) {
       next[v] = value[v];
@@ -96,7 +98,8 @@ Fields measure_fields(const Head& head) {
 Shape to_shape(const Head& head, std::string_view name, Offsets offsets) {
   for (const Attached* attached : {&head.lashes, &head.brows})
     for (std::uint32_t v = attached->range.first; v < attached->range.end; ++v)
-      offsets[v] += offsets[attached->anchors[v - attached->range.first]];
+      for (const Anchor& anchor : attached->anchors[v - attached->range.first])
+        offsets[v] += anchor.weight * offsets[anchor.vertex];
   Shape shape;
   shape.name = std::string(name);
   for (std::uint32_t v = 0; v < offsets.size(); ++v) {

@@ -34,8 +34,9 @@ struct Fields {
 Fields measure_fields(const Head& head);
 
 // Smooth values on the skin: those with a fixed value keep it, every other becomes the mean of its neighbours.
-// fixed: one per skin vertex, NaN where free.
-std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, int passes);
+// fixed: one per skin vertex, NaN where free. start: as many, what the free ones begin with (0 when empty).
+std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, const std::vector<double>& start,
+                            int passes);
 
 // Makes the sparse shape: brows and lashes follow their anchors, offsets too small to see are dropped.
 Shape to_shape(const Head& head, std::string_view name, Offsets offsets);

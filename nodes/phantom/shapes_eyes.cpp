@@ -61,7 +61,7 @@ void move_lids(const Head& head, Lids lids, Offsets& offsets) {
   const std::uint32_t half = (head.lashes.range.end - head.lashes.range.first) / 2;
   for (std::uint32_t k = 1; k < half; k += 3) {
     const std::uint32_t v = head.lashes.range.first + k;
-    const Vector3 root = head.mesh.points_mm[head.lashes.anchors[k]], tip = head.mesh.points_mm[v];
+    const Vector3 root = head.mesh.points_mm[head.lashes.anchors[k].front().vertex], tip = head.mesh.points_mm[v];
     offsets[v] += Vector3{0, -1.5 * lids.upper * (tip.y - root.y), 0.1 * lids.upper * (tip.y - root.y)};
   }
 }

@@ -9,7 +9,7 @@ namespace face::phantom {
 namespace {
 
 constexpr Vector3 kJawHinge = {0, 14, 8};  // both joints, projected on the middle plane, mm
-constexpr double kJawOpenDeg = 18.5;
+constexpr double kJawOpenDeg = 20.5;
 
 // Moves what rides on the jaw: `turn` gives a point's new place for a share of the full motion.
 template <class Turn>
@@ -59,7 +59,7 @@ Offsets jaw_shape(const Head& head, const Fields& fields, std::string_view name)
   if (name == "jawForward")
     return move_jaw(head, fields, [](Vector3 p, double share) { return p + share * Vector3{0, -0.3, 6.5}; });
   if (name == "jawLeft")
-    return move_jaw(head, fields, [](Vector3 p, double share) { return p + share * Vector3{7.0, -0.8, -0.02 * p.x}; });
+    return move_jaw(head, fields, [](Vector3 p, double share) { return p + share * Vector3{7.0, -0.35, -0.02 * p.x}; });
   check(name == "jawOpen", "'", name, "' is not a shape of the jaw");
   Offsets offsets = move_jaw(head, fields, [](Vector3 p, double share) {
     const double a = share * kJawOpenDeg * std::numbers::pi / 180;

@@ -29,11 +29,11 @@ double corner_weight(const LipView& at, double reach_mm) {
   return std::pow(along, 1.4) * bell(at.outside, reach_mm);
 }
 
-Vector3 roll(const LipView& at, double up) {
+Vector3 roll(const LipView& at, double up, double back_mm, double lining_follows) {
   // The red turns in over the teeth: its border comes to where the lips touch, the rest goes back.
   const double full = std::pow(std::max(at.thin, 0.0), 0.6), near = bell(at.outside, 9);
   const double in_red = at.ring <= 0 ? 1 : near;
-  return {0, up * in_red * full * (at.ring <= 0 ? 4.2 * at.red : 4.2 * near), -in_red * full * (4.6 - 1.2 * at.red)};
+  return {0, up * in_red * full * (at.ring <= 0 ? 4.2 * at.red : 4.2 * near), -in_red * full * (back_mm - 1.2 * at.red) * (at.ring < kLipContactRing ? lining_follows : 1)};
 }
 
 Vector3 lip_offset(std::string_view name, const LipView& at) {
@@ -60,8 +60,8 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
     const double w = corner_weight(at, 16);
     return {7.0 * w, -3.2 * w - 0.7 * away * at.red * w, -4.0 * w};
   }
-  if (name == "mouthRollLower") return at.lower * roll(at, 1);
-  if (name == "mouthRollUpper") return upper * roll(at, -1);
+  if (name == "mouthRollLower") return at.lower * roll(at, 1, 5.0, 1);
+  if (name == "mouthRollUpper") return upper * roll(at, -1, 4.4, 0.6);
   if (name == "mouthShrugLower")
     return {0, (2.2 + 1.8 * at.lower * smooth_step(0, 8, at.outside)) * std::pow(middle, 0.7) * near *
                    (at.lower + upper * bell(at.outside, 7)),
@@ -89,7 +89,8 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
 Offsets close_mouth(const Head& head, const Fields& fields) {
   const Offsets open = jaw_shape(head, fields, "jawOpen");
   Offsets offsets(head.mesh.points_mm.size());
-  constexpr double kUpperShare = 0.30;
+  // The upper lip comes down, but hardly back: the upper teeth are behind it.
+  constexpr double kUpperShare = 0.30, kUpperBackShare = 0.12;
   for (std::size_t v = 0; v < fields.jaw.size(); ++v) {
     const SkinVertex& vertex = head.skin.vertices[v];
     if (vertex.loop != SkinVertex::Loop::mouth) continue;
@@ -100,7 +101,8 @@ Offsets close_mouth(const Head& head, const Fields& fields) {
     const std::uint32_t there = head.skin.mouth(kLipContactRing, partner);
     const Vector3 gap = open[side > 0 ? there : here] - open[side > 0 ? here : there];  // lower minus upper lip
     const double fade = vertex.ring > 0 ? smooth_step(kMouthOuterRing, 0, vertex.ring) : fields.lining[v];
-    offsets[v] = (side > 0 ? kUpperShare : kUpperShare - 1) * fade * gap;
+    const Vector3 upper = {kUpperShare * gap.x, kUpperShare * gap.y, kUpperBackShare * gap.z};
+    offsets[v] = fade * (side > 0 ? upper : upper - gap);
   }
   symmetrise(head, offsets);
   return offsets;

@@ -12,9 +12,12 @@ namespace {
 using Loop = SkinVertex::Loop;
 
 constexpr int kHalfColumns = 42;   // azimuth columns from the front to the back
-constexpr int kFaceColumns = 22;   // of these, 2 degrees wide
-constexpr int kRowsBelow = 12, kFaceRows = 40, kRowsAbove = 14;
-constexpr double kFaceBottomDeg = -44, kRowDeg = 2.1;
+constexpr int kFaceColumns = 22;   // of these, on the face
+constexpr int kNoseColumns = 7;    // of these, on the nose
+constexpr double kNoseColumnDeg = 1.5, kFaceEndDeg = 44;
+// Rows from the bottom of the neck to the crown: neck, jaw and mouth, nose, eyes and forehead, scalp.
+constexpr int kNeckRows = 12, kMouthRows = 16, kNoseRows = 14, kEyeRows = 15, kScalpRows = 14;
+constexpr double kNeckBottomDeg = -80.6, kMouthBottomDeg = -44, kNoseBottomDeg = -10.4, kEyeBottomDeg = 8.2, kScalpBottomDeg = 40.5;
 
 // A block of the grid, in columns and rows, that the loops around a hole replace.
 struct Block {
@@ -23,30 +26,37 @@ struct Block {
     return column > first_column && column < last_column && row > first_row && row < last_row;
   }
 };
-constexpr int kMouthRow = kRowsBelow + 11;  // elevation -20.9
-constexpr int kEyeRow = kRowsBelow + 30;    // elevation 19
+constexpr int kMouthRow = kNeckRows + 11;                          // elevation -20.9
+constexpr int kEyeRow = kNeckRows + kMouthRows + kNoseRows + 5;  // elevation 19
 constexpr Block kMouthBlock = {-13, 13, kMouthRow - 5, kMouthRow + 5};
-constexpr Block kLeftEyeBlock = {3, 18, kEyeRow - 5, kEyeRow + 5};
-constexpr Block kRightEyeBlock = {-18, -3, kEyeRow - 5, kEyeRow + 5};
+constexpr Block kLeftEyeBlock = {4, 18, kEyeRow - 5, kEyeRow + 5};
+constexpr Block kRightEyeBlock = {-18, -4, kEyeRow - 5, kEyeRow + 5};
 
 double column_azimuth(int column) {
   const int c = std::abs(column);
-  double azimuth = 2.0 * std::min(c, kFaceColumns), total = 0, part = 0;
+  const int on_nose = std::min(c, kNoseColumns), beside = std::min(c, kFaceColumns) - on_nose;
+  double azimuth = kNoseColumnDeg * on_nose +
+                   beside * (kFaceEndDeg - kNoseColumnDeg * kNoseColumns) / (kFaceColumns - kNoseColumns);
+  double total = 0, part = 0;
   for (int k = kFaceColumns; k < kHalfColumns; ++k) {
     const double step = std::min(9.0, 2.4 + 0.9 * (k - kFaceColumns));
     total += step;
     if (k < c) part += step;
   }
-  azimuth += (180 - 2.0 * kFaceColumns) * part / total;
+  azimuth += (180 - kFaceEndDeg) * part / total;
   return column < 0 ? -azimuth : azimuth;
 }
 
 double row_elevation(int row) {
-  if (row < kRowsBelow) return kFaceBottomDeg - (kRowsBelow - row) * 3.05;
-  const double top = kFaceBottomDeg + kFaceRows * kRowDeg;
-  if (row <= kRowsBelow + kFaceRows) return kFaceBottomDeg + (row - kRowsBelow) * kRowDeg;
-  const double t = (row - kRowsBelow - kFaceRows) / static_cast<double>(kRowsAbove);
-  return lerp(top, 90.0, t * (0.72 + 0.28 * t));
+  if (row < kNeckRows) return lerp(kNeckBottomDeg, kMouthBottomDeg, row / static_cast<double>(kNeckRows));
+  row -= kNeckRows;
+  if (row < kMouthRows) return lerp(kMouthBottomDeg, kNoseBottomDeg, row / static_cast<double>(kMouthRows));
+  row -= kMouthRows;
+  if (row < kNoseRows) return lerp(kNoseBottomDeg, kEyeBottomDeg, row / static_cast<double>(kNoseRows));
+  row -= kNoseRows;
+  if (row < kEyeRows) return lerp(kEyeBottomDeg, kScalpBottomDeg, row / static_cast<double>(kEyeRows));
+  const double t = (row - kEyeRows) / static_cast<double>(kScalpRows);
+  return lerp(kScalpBottomDeg, 90.0, t * (0.72 + 0.28 * t));
 }
 
 // Grid places around a block, counter-clockwise from the middle of its left (viewer's right) side.
@@ -83,7 +93,7 @@ class Layout {
   HeadBuilder& head;
   Skin skin;
   std::vector<std::uint32_t> places = std::vector<std::uint32_t>(2 * kHalfColumns * kRows);
-  static constexpr int kRows = kRowsBelow + kFaceRows + kRowsAbove;
+  static constexpr int kRows = kNeckRows + kMouthRows + kNoseRows + kEyeRows + kScalpRows;
   std::uint32_t crown = 0, throat = 0;
 };
 
@@ -171,7 +181,7 @@ void Layout::add_polygons() {
   add_loop_polygons(skin.mouth_rings, lips, skin.mouth_rings.size() - 1, false);
   add_loop_polygons(skin.left_eye_rings, 0, skin.left_eye_rings.size() - 1, false);
   add_loop_polygons(skin.right_eye_rings, 0, skin.right_eye_rings.size() - 1, true);
-  head.begin_part("mouth_socket", {1, 1, 1}, 0.35);
+  head.begin_part("mouth_socket", {1, 1, 1}, 0.15);
   add_loop_polygons(skin.mouth_rings, 0, lips, false);
   for (std::size_t c = 0; c < kMouthColumns; ++c)
     head.add_polygon({skin.mouth_rings[0][c], skin.mouth_rings[0][(c + 1) % kMouthColumns], throat});
