@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "nodes/export/csv.h"
-#include "nodes/export/write_live_link_csv.h"
-#include "nodes/export/write_tracks_csv.h"
+#include "nodes/export/export_live_link_csv.h"
+#include "nodes/export/export_tracks_csv.h"
 #include "nodes/types/arkit.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -21,11 +21,11 @@ std::vector<std::string> lines_of(const engine::File& file) {
   return lines;
 }
 
-TEST(WriteTracksCsv, WritesOneRowPerFrameAndPoint) {
+TEST(ExportTracksCsv, WritesOneRowPerFrameAndPoint) {
   const engine::Seq<Landmarks> tracks({Landmarks{{{"lip left", 12.5, 99.0004, true}, {"a,\"b\"", -0.0001, 1e6, false}}},
                                        Landmarks{}, Landmarks{{{"lip left", 13, 100, true}}}},
                                       {"16", "17", "20"});
-  const engine::File file = write_tracks_csv(tracks);
+  const engine::File file = export_tracks_csv(tracks);
   EXPECT_EQ(file.suffix(), ".csv");
   EXPECT_EQ(file.bytes(),
             "frame,point,x_px,y_px,valid\n"
@@ -34,17 +34,17 @@ TEST(WriteTracksCsv, WritesOneRowPerFrameAndPoint) {
             "20,lip left,13.000,100.000,1\n");
 }
 
-TEST(WriteTracksCsv, RejectsAnEmptySequence) {
-  EXPECT_THROW_TEXT(write_tracks_csv({}), "there are no frames to export");
+TEST(ExportTracksCsv, RejectsAnEmptySequence) {
+  EXPECT_THROW_TEXT(export_tracks_csv({}), "there are no frames to export");
 }
 
-TEST(WriteLiveLinkCsv, HasTheColumnsOfLiveLinkFace) {
+TEST(ExportLiveLinkCsv, HasTheColumnsOfLiveLinkFace) {
   Weights weights;
   weights.values.assign(53, 0.0f);
   weights.values[arkit_index("jawOpen")] = 0.75f;
   weights.values[52] = 1;  // the rig's own: not in the file
   const engine::Seq<Weights> frames({weights, Weights{{0.123456789f}}});
-  const engine::File file = write_live_link_csv(frames, Timeline{{0, 3725.5}, 3726});
+  const engine::File file = export_live_link_csv(frames, Timeline{{0, 3725.5}, 3726});
   EXPECT_EQ(file.suffix(), ".csv");
   const std::vector<std::string> lines = lines_of(file);
   ASSERT_EQ(lines.size(), 3u);
@@ -65,20 +65,20 @@ TEST(WriteLiveLinkCsv, HasTheColumnsOfLiveLinkFace) {
   EXPECT_EQ(lines[2].substr(0, 36), "01:02:05:30.000,61,0.123457,0.000000");
 }
 
-TEST(WriteLiveLinkCsv, SpellsTimesBetweenFramesInThousandths) {
-  WriteLiveLinkCsvOptions options;
+TEST(ExportLiveLinkCsv, SpellsTimesBetweenFramesInThousandths) {
+  ExportLiveLinkCsvOptions options;
   options.timecode_rate_hz = 25;
   const std::vector<std::string> lines =
-      lines_of(write_live_link_csv(engine::Seq<Weights>({{}, {}, {}}), Timeline{{0, 0.05, 0.99999}, 2}, options));
+      lines_of(export_live_link_csv(engine::Seq<Weights>({{}, {}, {}}), Timeline{{0, 0.05, 0.99999}, 2}, options));
   EXPECT_EQ(lines[1].substr(0, 15), "00:00:00:00.000");
   EXPECT_EQ(lines[2].substr(0, 15), "00:00:00:01.250");
   EXPECT_EQ(lines[3].substr(0, 15), "00:00:01:00.000");
 }
 
-TEST(WriteLiveLinkCsv, RejectsWhatCannotBeWritten) {
-  EXPECT_THROW_TEXT(write_live_link_csv({}, {}), "there are no frames to export");
+TEST(ExportLiveLinkCsv, RejectsWhatCannotBeWritten) {
+  EXPECT_THROW_TEXT(export_live_link_csv({}, {}), "there are no frames to export");
   const engine::Seq<Weights> odd({Weights{{0, INFINITY}}}, {"17"});
-  EXPECT_THROW_TEXT(write_live_link_csv(odd, Timeline{{0}, 1}), "weight eyeLookDownLeft of frame 17 is not a finite number");
+  EXPECT_THROW_TEXT(export_live_link_csv(odd, Timeline{{0}, 1}), "weight eyeLookDownLeft of frame 17 is not a finite number");
 }
 
 TEST(AppendFixed, WritesAPointWhateverTheLocale) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_png.h"
+#include "nodes/export/export_png.h"
 
 #include "engine/node.h"
 #include "nodes/types/image.h"
 using namespace engine::declare;
 using namespace face::exports;
 
-NODE("export.png", &write_png, version{1}, doc{"Writes an image as PNG."}, input{"image", "Image to write"},
+NODE("export.png", &export_png, version{1}, doc{"Writes an image as PNG."}, input{"image", "Image to write"},
      output("file", "The .png file"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_gltf.h"
+#include "nodes/export/export_gltf.h"
 
 #include <gtest/gtest.h>
 #define TINYGLTF_NO_STB_IMAGE
@@ -60,10 +60,10 @@ std::vector<float> values_of(const tinygltf::Model& model, int index) {
   return values;
 }
 
-TEST(WriteGltf, ComesBackWithTheSamePositionsShapesAndWeights) {
+TEST(ExportGltf, ComesBackWithTheSamePositionsShapesAndWeights) {
   const Rig rig = test::square_rig();
   const engine::Seq<Weights> frames = three_frames();
-  const tinygltf::Model model = parsed(write_gltf(rig, frames, at_60_hz(3)));
+  const tinygltf::Model model = parsed(export_gltf(rig, frames, at_60_hz(3)));
   ASSERT_EQ(model.meshes.size(), 1u);
   ASSERT_EQ(model.meshes[0].primitives.size(), 2u);
   const tinygltf::Primitive& primitive = model.meshes[0].primitives[0];
@@ -95,9 +95,9 @@ TEST(WriteGltf, ComesBackWithTheSamePositionsShapesAndWeights) {
   EXPECT_EQ(weights[2 * arkit_count + 1], 0);
 }
 
-TEST(WriteGltf, NamesEveryShapeAndEveryMark) {
+TEST(ExportGltf, NamesEveryShapeAndEveryMark) {
   const Rig rig = test::square_rig();
-  const tinygltf::Model model = parsed(write_gltf(rig, three_frames(), at_60_hz(3)));
+  const tinygltf::Model model = parsed(export_gltf(rig, three_frames(), at_60_hz(3)));
   const tinygltf::Value& extras = model.meshes[0].extras;
   ASSERT_EQ(extras.Get("targetNames").ArrayLen(), arkit_count);
   for (std::size_t s = 0; s < arkit_count; ++s)
@@ -113,56 +113,56 @@ TEST(WriteGltf, NamesEveryShapeAndEveryMark) {
   EXPECT_EQ(facegraph.Get("parts").Get(1).Get("name").Get<std::string>(), "lashes");
 }
 
-TEST(WriteGltf, KeepsShapesThatMoveNothingAsZeros) {
-  const tinygltf::Model model = parsed(write_gltf(test::square_rig(), three_frames(), at_60_hz(3)));
+TEST(ExportGltf, KeepsShapesThatMoveNothingAsZeros) {
+  const tinygltf::Model model = parsed(export_gltf(test::square_rig(), three_frames(), at_60_hz(3)));
   const int accessor = model.meshes[0].primitives[0].targets[arkit_index("tongueOut")].at("POSITION");
   EXPECT_EQ(model.accessors[static_cast<std::size_t>(accessor)].bufferView, -1);
   EXPECT_FALSE(model.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse);
   EXPECT_EQ(model.accessors[static_cast<std::size_t>(accessor)].count, 8u);
 }
 
-TEST(WriteGltf, LeavesOutPartsThatAreNotVisible) {
+TEST(ExportGltf, LeavesOutPartsThatAreNotVisible) {
   Rig rig = test::square_rig();
   rig.neutral.parts[1].visible = false;
-  const tinygltf::Model model = parsed(write_gltf(rig, three_frames(), at_60_hz(3)));
+  const tinygltf::Model model = parsed(export_gltf(rig, three_frames(), at_60_hz(3)));
   ASSERT_EQ(model.materials.size(), 1u);
   EXPECT_EQ(model.materials[0].name, "face");
 }
 
-TEST(WriteGltf, HasNoSeamsWithoutTextureCoordinates) {
+TEST(ExportGltf, HasNoSeamsWithoutTextureCoordinates) {
   Rig rig = test::square_rig();
   rig.neutral.uvs.clear();
   rig.neutral.corner_uvs.clear();
   rig.neutral.parts.clear();
-  const tinygltf::Model model = parsed(write_gltf(rig, three_frames(), at_60_hz(3)));
+  const tinygltf::Model model = parsed(export_gltf(rig, three_frames(), at_60_hz(3)));
   const tinygltf::Primitive& primitive = model.meshes[0].primitives.at(0);
   EXPECT_EQ(values_of(model, primitive.attributes.at("POSITION")).size(), 6u * 3u);
   EXPECT_EQ(primitive.attributes.count("TEXCOORD_0"), 0u);
 }
 
-TEST(WriteGltf, GivesTheSameBytesTwice) {
+TEST(ExportGltf, GivesTheSameBytesTwice) {
   const Rig rig = test::square_rig();
-  EXPECT_EQ(write_gltf(rig, three_frames(), at_60_hz(3)).bytes(), write_gltf(rig, three_frames(), at_60_hz(3)).bytes());
+  EXPECT_EQ(export_gltf(rig, three_frames(), at_60_hz(3)).bytes(), export_gltf(rig, three_frames(), at_60_hz(3)).bytes());
 }
 
-TEST(WriteGltf, RejectsWhatDoesNotFitTogether) {
+TEST(ExportGltf, RejectsWhatDoesNotFitTogether) {
   const Rig rig = test::square_rig();
-  EXPECT_THROW_TEXT(write_gltf(rig, {}, {}), "there are no frames to export");
-  EXPECT_THROW_TEXT(write_gltf(rig, three_frames(), at_60_hz(2)), "there are 3 frames, but the timeline has 2 times");
+  EXPECT_THROW_TEXT(export_gltf(rig, {}, {}), "there are no frames to export");
+  EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), at_60_hz(2)), "there are 3 frames, but the timeline has 2 times");
   Timeline backwards = at_60_hz(3);
   backwards.time_s = {0, 0.5, 0.25};
-  EXPECT_THROW_TEXT(write_gltf(rig, three_frames(), backwards), "frame 2 of the timeline is at 0.25 s, expected more than 0.5 s");
+  EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), backwards), "frame 2 of the timeline is at 0.25 s, expected more than 0.5 s");
   Timeline short_one = at_60_hz(3);
   short_one.duration_s = 0.01;
-  EXPECT_THROW_TEXT(write_gltf(rig, three_frames(), short_one),
+  EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), short_one),
                     "the timeline ends at 0.01 s, expected after its last frame at 0.0333333 s");
   const engine::Seq<Weights> long_one({Weights{}, Weights{std::vector<float>(60, 0)}}, {"7", "9"});
-  EXPECT_THROW_TEXT(write_gltf(rig, long_one, at_60_hz(2)), "frame 9 has 60 weights, but the rig has 52 shapes");
+  EXPECT_THROW_TEXT(export_gltf(rig, long_one, at_60_hz(2)), "frame 9 has 60 weights, but the rig has 52 shapes");
   const engine::Seq<Weights> odd({Weights{}, Weights{{0, std::nanf("")}}}, {"7", "9"});
-  EXPECT_THROW_TEXT(write_gltf(rig, odd, at_60_hz(2)), "weight eyeLookDownLeft of frame 9 is not a finite number");
+  EXPECT_THROW_TEXT(export_gltf(rig, odd, at_60_hz(2)), "weight eyeLookDownLeft of frame 9 is not a finite number");
   Rig bare = rig;
   bare.shapes.clear();
-  EXPECT_THROW_TEXT(write_gltf(bare, engine::Seq<Weights>({Weights{}}), at_60_hz(1)),
+  EXPECT_THROW_TEXT(export_gltf(bare, engine::Seq<Weights>({Weights{}}), at_60_hz(1)),
                     "the rig has no shapes, so there is nothing to animate");
 }
 

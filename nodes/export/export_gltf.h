@@ -7,7 +7,7 @@
 
 namespace face::exports {
 
-struct WriteGltfOptions {
+struct ExportGltfOptions {
   bool morph_normals = true;  // shapes move the normals too: twice the size, right shading in viewers
 };
 
@@ -23,7 +23,7 @@ struct WriteGltfOptions {
 //
 // frames: one list of weights per element of the timeline, none longer than the rig's shapes; a shorter one leaves the rest 0.
 // Memory: the file itself; frames are read one by one.
-engine::File write_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
-                        const WriteGltfOptions& options = {});
+engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
+                        const ExportGltfOptions& options = {});
 
 }  // namespace face::exports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_png.h"
+#include "nodes/export/export_png.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@ Image noise(int width, int height, int channels) {
   return image;
 }
 
-TEST(WritePng, KeepsEveryPixel) {
+TEST(ExportPng, KeepsEveryPixel) {
   for (const int channels : {1, 3, 4}) {
     const Image image = noise(17, 5, channels);
-    const engine::File file = write_png(image);
+    const engine::File file = export_png(image);
     EXPECT_EQ(file.suffix(), ".png");
     const std::vector<std::uint8_t> bytes(file.bytes().begin(), file.bytes().end());
     const cv::Mat read = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
@@ -41,12 +41,12 @@ TEST(WritePng, KeepsEveryPixel) {
   }
 }
 
-TEST(WritePng, GivesTheSameBytesTwice) { EXPECT_EQ(write_png(noise(40, 30, 3)).bytes(), write_png(noise(40, 30, 3)).bytes()); }
+TEST(ExportPng, GivesTheSameBytesTwice) { EXPECT_EQ(export_png(noise(40, 30, 3)).bytes(), export_png(noise(40, 30, 3)).bytes()); }
 
-TEST(WritePng, RejectsWhatIsNoImage) {
-  EXPECT_THROW_TEXT(write_png(Image{}), "the image is 0 x 0 pixels, expected at least 1 x 1");
-  EXPECT_THROW_TEXT(write_png(Image{2, 2, 2, std::vector<std::uint8_t>(8)}), "the image has 2 channels, expected 1, 3 or 4");
-  EXPECT_THROW_TEXT(write_png(Image{2, 2, 3, std::vector<std::uint8_t>(11)}),
+TEST(ExportPng, RejectsWhatIsNoImage) {
+  EXPECT_THROW_TEXT(export_png(Image{}), "the image is 0 x 0 pixels, expected at least 1 x 1");
+  EXPECT_THROW_TEXT(export_png(Image{2, 2, 2, std::vector<std::uint8_t>(8)}), "the image has 2 channels, expected 1, 3 or 4");
+  EXPECT_THROW_TEXT(export_png(Image{2, 2, 3, std::vector<std::uint8_t>(11)}),
                     "the image has 11 bytes, expected 12 for 2 x 2 x 3");
 }
 

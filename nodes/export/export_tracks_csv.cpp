@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_tracks_csv.h"
+#include "nodes/export/export_tracks_csv.h"
 
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace face::exports {
 
-engine::File write_tracks_csv(const engine::Seq<Landmarks>& tracks) {
+engine::File export_tracks_csv(const engine::Seq<Landmarks>& tracks) {
   check(!tracks.empty(), "there are no frames to export");
   std::string text = "frame,point,x_px,y_px,valid\n";
   std::size_t index = 0;

@@ -6,6 +6,6 @@
 namespace face::exports {
 
 // Writes an image as PNG, without loss. The same image always gives the same bytes.
-engine::File write_png(const Image& image);
+engine::File export_png(const Image& image);
 
 }  // namespace face::exports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_video.h"
+#include "nodes/export/export_video.h"
 
 #include <gtest/gtest.h>
 
@@ -109,10 +109,10 @@ Found read_back(const std::string& bytes) {
 
 engine::File written(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio) {
   engine::Progress progress;
-  return write_video(frames, timeline, audio, {}, progress);
+  return export_video(frames, timeline, audio, {}, progress);
 }
 
-TEST(WriteVideo, ShowsEveryPictureAtItsTime) {
+TEST(ExportVideo, ShowsEveryPictureAtItsTime) {
   const engine::File file = written(pictures(50), regular(50, 25), nullptr);
   EXPECT_EQ(file.suffix(), ".mp4");
   const Found found = read_back(file.bytes());
@@ -123,7 +123,7 @@ TEST(WriteVideo, ShowsEveryPictureAtItsTime) {
   EXPECT_NEAR(found.video_s, 2, 1e-3);
 }
 
-TEST(WriteVideo, HoldsSoundAsLongAsThePictures) {
+TEST(ExportVideo, HoldsSoundAsLongAsThePictures) {
   // 59.94 frames per second and a length that is no multiple of an AAC frame.
   const double rate_hz = 60000.0 / 1001;
   const Timeline timeline = regular(100, rate_hz);
@@ -137,11 +137,11 @@ TEST(WriteVideo, HoldsSoundAsLongAsThePictures) {
   EXPECT_LT(found.audio_samples, std::llround(timeline.duration_s * 16000) + 1024);
 }
 
-TEST(WriteVideo, CutsOrFillsUpSoundOfAnotherLengthAndSaysSo) {
+TEST(ExportVideo, CutsOrFillsUpSoundOfAnotherLengthAndSaysSo) {
   for (const double sound_s : {0.5, 3.0}) {
     Warnings progress;
     const Audio audio = tone(sound_s, 44100);
-    const Found found = read_back(write_video(pictures(50), regular(50, 25), &audio, {}, progress).bytes());
+    const Found found = read_back(export_video(pictures(50), regular(50, 25), &audio, {}, progress).bytes());
     EXPECT_NEAR(found.audio_s, 2, 0.04);
     ASSERT_EQ(progress.texts.size(), 1u);
     EXPECT_EQ(progress.texts[0], sound_s < 2 ? "the sound lasts 0.5 s and the pictures 2 s: it was filled up with silence"
@@ -149,7 +149,7 @@ TEST(WriteVideo, CutsOrFillsUpSoundOfAnotherLengthAndSaysSo) {
   }
 }
 
-TEST(WriteVideo, KeepsIrregularTimes) {
+TEST(ExportVideo, KeepsIrregularTimes) {
   Timeline timeline{{0, 0.1, 0.15, 0.4}, 0.5};
   const Found found = read_back(written(pictures(4), timeline, nullptr).bytes());
   ASSERT_EQ(found.times_s.size(), 4u);
@@ -157,25 +157,25 @@ TEST(WriteVideo, KeepsIrregularTimes) {
   EXPECT_NEAR(found.video_s, 0.5, 1e-3);
 }
 
-TEST(WriteVideo, GrowsOddSizesToEvenOnes) {
+TEST(ExportVideo, GrowsOddSizesToEvenOnes) {
   const Found found = read_back(written(pictures(3, 33, 21), regular(3, 25), nullptr).bytes());
   EXPECT_EQ(found.width, 34);
   EXPECT_EQ(found.height, 22);
 }
 
-TEST(WriteVideo, GivesTheSameBytesTwice) {
+TEST(ExportVideo, GivesTheSameBytesTwice) {
   const Audio audio = tone(1);
   EXPECT_EQ(written(pictures(25), regular(25, 25), &audio).bytes(), written(pictures(25), regular(25, 25), &audio).bytes());
 }
 
-TEST(WriteVideo, WritesASinglePicture) {
+TEST(ExportVideo, WritesASinglePicture) {
   const Audio audio = tone(0.04);
   const Found found = read_back(written(pictures(1), regular(1, 25), &audio).bytes());
   EXPECT_EQ(found.times_s.size(), 1u);
   EXPECT_NEAR(found.video_s, 0.04, 1e-3);
 }
 
-TEST(WriteVideo, RejectsWhatDoesNotFitTogether) {
+TEST(ExportVideo, RejectsWhatDoesNotFitTogether) {
   EXPECT_THROW_TEXT(written({}, {}, nullptr), "there are no frames to export");
   EXPECT_THROW_TEXT(written(pictures(3), regular(4, 25), nullptr), "there are 3 frames, but the timeline has 4 times");
   const engine::Seq<Image> unequal({picture(0), picture(1, 32, 48)}, {"16", "17"});

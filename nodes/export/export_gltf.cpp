@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_gltf.h"
+#include "nodes/export/export_gltf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +176,7 @@ Changes normal_changes(const Rig& rig, const Shape& shape, const std::vector<Tri
   return changes;
 }
 
-json targets_of(const Rig& rig, const Vertices& all, const WriteGltfOptions& options, GltfBuffer& buffer) {
+json targets_of(const Rig& rig, const Vertices& all, const ExportGltfOptions& options, GltfBuffer& buffer) {
   const std::size_t count = rig.neutral.points_mm.size() + all.copies.size();
   const std::vector<Triangle> triangles = render::triangulate(rig.neutral).triangles;
   const std::vector<Vec3f> neutral_normals = unit_normals(render::vertex_normals(rig.neutral.points_mm, triangles));
@@ -240,8 +240,8 @@ json animation_of(const Rig& rig, const engine::Seq<Weights>& frames, const Time
 
 }  // namespace
 
-engine::File write_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
-                        const WriteGltfOptions& options) {
+engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
+                        const ExportGltfOptions& options) {
   check_frames(frames.size(), timeline);
   check(!rig.shapes.empty(), "the rig has no shapes, so there is nothing to animate");
   const Mesh& mesh = rig.neutral;

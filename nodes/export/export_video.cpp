@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_video.h"
+#include "nodes/export/export_video.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,8 @@ std::vector<float> fitted(const Audio& audio, double duration_s) {
 
 }  // namespace
 
-engine::File write_video(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio,
-                         const WriteVideoOptions& options, engine::Progress& progress) {
+engine::File export_video(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio,
+                         const ExportVideoOptions& options, engine::Progress& progress) {
   check_frames(frames.size(), timeline);
   const auto count = static_cast<double>(frames.size());
   Mp4Writer::Settings settings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_live_link_csv.h"
+#include "nodes/export/export_live_link_csv.h"
 
 #include "engine/node.h"
 #include "nodes/types/timeline.h"
@@ -7,10 +7,10 @@
 using namespace engine::declare;
 using namespace face::exports;
 
-NODE("export.live_link_csv", &write_live_link_csv, version{1},
+NODE("export.live_link_csv", &export_live_link_csv, version{1},
      doc{"Writes ARKit weights per frame as a table with the columns of Live Link Face."},
      input{"frames", "Blend-shape weights of every frame"},
      input{"timeline", "When every frame is shown"},
-     param("timecode_rate_hz", &WriteLiveLinkCsvOptions::timecode_rate_hz, range{1, 240}, unit{"Hz"},
+     param("timecode_rate_hz", &ExportLiveLinkCsvOptions::timecode_rate_hz, range{1, 240}, unit{"Hz"},
            "Frames per second of the timecode"),
      output("file", "The .csv file"));

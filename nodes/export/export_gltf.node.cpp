@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_gltf.h"
+#include "nodes/export/export_gltf.h"
 
 #include "engine/node.h"
 #include "nodes/types/rig.h"
@@ -8,10 +8,10 @@
 using namespace engine::declare;
 using namespace face::exports;
 
-NODE("export.gltf", &write_gltf, version{1},
+NODE("export.gltf", &export_gltf, version{1},
      doc{"Writes a rig and its animation as binary glTF: a morph target per blend shape, in the rig's order, with names."},
      input{"rig", "Head and its blend shapes"},
      input{"frames", "Blend-shape weights of every frame"},
      input{"timeline", "When every frame is shown"},
-     param("morph_normals", &WriteGltfOptions::morph_normals, "Shapes move the normals too: a larger file, right shading"),
+     param("morph_normals", &ExportGltfOptions::morph_normals, "Shapes move the normals too: a larger file, right shading"),
      output("file", "The .glb file"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/export/write_live_link_csv.h"
+#include "nodes/export/export_live_link_csv.h"
 
 #include <array>
 #include <cmath>
@@ -52,8 +52,8 @@ void append_timecode(std::string& out, double time_s, int rate_hz) {
 
 }  // namespace
 
-engine::File write_live_link_csv(const engine::Seq<Weights>& frames, const Timeline& timeline,
-                                 const WriteLiveLinkCsvOptions& options) {
+engine::File export_live_link_csv(const engine::Seq<Weights>& frames, const Timeline& timeline,
+                                 const ExportLiveLinkCsvOptions& options) {
   check_frames(frames.size(), timeline);
   check(options.timecode_rate_hz > 0, "timecode_rate_hz is ", options.timecode_rate_hz, ", expected more than 0");
   std::string text = header();

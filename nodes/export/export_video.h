@@ -7,7 +7,7 @@
 
 namespace face::exports {
 
-struct WriteVideoOptions {
+struct ExportVideoOptions {
   int quality = 18;          // x264's constant rate factor: 0 is lossless, 18 looks so, 51 is worst
   int audio_kbit_per_s = 96;
 };
@@ -16,7 +16,7 @@ struct WriteVideoOptions {
 // picture is shown from its time in the timeline until the next one's. The sound is cut, or filled up with silence, to the
 // timeline's duration, and a difference of more than a frame is a warning. Pictures of odd size get one more column or row, which
 // repeats the last. The same input gives the same bytes: there is no date, and no other run-dependent thing, in the file.
-engine::File write_video(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio,
-                         const WriteVideoOptions& options, engine::Progress& progress);
+engine::File export_video(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio,
+                         const ExportVideoOptions& options, engine::Progress& progress);
 
 }  // namespace face::exports
