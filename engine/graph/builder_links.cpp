@@ -95,9 +95,7 @@ void Builder::link_outputs(FlatGraph& flat) {
 Link Builder::link_output(int index, const std::string& name) {
   Scope::Output& output = scopes_[index].outputs.at(name);
   const JsonValue& written = output.member->value;
-  if (output.state == Scope::State::under_way) return broken(written.place(), "the reference leads back to itself");
-  if (output.state == Scope::State::open) {
-    output.state = Scope::State::under_way;
+  if (output.state == Scope::State::open) {  // a ring of references passes through an input, which finds it
     std::string param;
     if (index == 0 && (!written.is(Kind::string) || is_substitution(written.text, param)))
       output.link = broken(written.place(), "found " + found(written) + ", expected a reference to a node that makes a file");

@@ -107,6 +107,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       if (at != std::string::npos && (at < 40 || prefix[0] == ' ')) message.erase(0, at + std::char_traits<char>::length(prefix));
     }
     start_token();
+    message.erase(std::min(message.find("; last read"), message.size()));  // it may hold what stands before
+    if (message == "invalid literal") message += " " + quoted_text(text_.substr(start_, text_.find_first_of(" \t\r\n,:]}", start_) - start_));
     const char next = start_ < text_.size() ? text_[start_] : '\0';
     if (comma_ && (next == '}' || next == ']')) message = std::string("a comma stands before '") + next + "'";
     else if (!comma_ && message.starts_with("unexpected") && (message.ends_with("expected '}'") || message.ends_with("expected ']'"))) message += " or a comma";
