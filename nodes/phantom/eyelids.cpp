@@ -15,13 +15,12 @@ constexpr double kUpperHeight = 6.1, kLowerHeight = 5.5;  // of the opening, abo
 constexpr double kOuterRise = 1.0;                        // the outer corner lies above the inner one
 constexpr double kOuterZ = 83.5, kInnerZ = 89.5;
 
-// Rings from the one tucked in behind the lid outwards: distance from the lid's inner edge in the frontal plane,
+// Rings from the inner edge of the lid outwards: distance from the lid's inner edge in the frontal plane,
 // clearance over the eyeball, and how far the ring belongs to the face's surface already.
 struct LidRing {
   double upper_mm, lower_mm, clearance_mm, of_face;
 };
-constexpr std::array<LidRing, 6> kLidRings = {{{2.6, 2.6, 0.25, 0},
-                                               {0, 0, 0.35, 0},
+constexpr std::array<LidRing, 5> kLidRings = {{{0, 0, 0.35, 0},
                                                {1.0, 0.9, 1.7, 0},
                                                {3.2, 2.4, 2.2, 0.05},
                                                {5.6, 4.6, 1.3, 0.25},
@@ -37,7 +36,9 @@ double lid_position(int column) {
 int lid_side(int column) { return column % (kEyeColumns / 2) == 0 ? 0 : column < kEyeColumns / 2 ? 1 : -1; }
 
 Vector3 lid_point(int ring, int column) {
-  const LidRing& lid = kLidRings[static_cast<std::size_t>(ring - kEyeDeepestRing)];
+  if (ring == kEyeDeepestRing)  // straight in, so that no gap shows between lid and eyeball, nor in the corners
+    return kEyeCentre + (kEyeRadius - 0.6) * unit(lid_point(-1, column) - kEyeCentre);
+  const LidRing& lid = kLidRings[static_cast<std::size_t>(ring + 1)];
   const double s = lid_position(column);
   const int side = lid_side(column);
   double x = s * (s > 0 ? kOuterReach : kInnerReach), y = kOuterRise * s;
@@ -51,7 +52,7 @@ Vector3 lid_point(int ring, int column) {
   y += away * side * std::sin(angle);
   const double r = kEyeRadius + lid.clearance_mm, flat2 = r * r - x * x - y * y;
   const double ball = flat2 > 0 ? std::sqrt(flat2) : 0;
-  const double corner = lerp(kInnerZ, kOuterZ, 0.5 + 0.5 * s) - kEyeCentre.z - (ring < 0 ? 0.8 : 0);
+  const double corner = lerp(kInnerZ, kOuterZ, 0.5 + 0.5 * s) - kEyeCentre.z - (ring < 0 ? 0.8 : 0.0);
   const double gap = ball - corner;  // the larger of the two, rounded over 2 mm
   const double z = 0.5 * (ball + corner + std::sqrt(gap * gap + 1.0));
   const Vector3 on_ball = kEyeCentre + Vector3{x, y, z};

@@ -10,7 +10,7 @@ namespace face::phantom {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr Vector3 kHairDark = {0.17, 0.105, 0.075}, kHairLight = {0.40, 0.26, 0.17};
+constexpr Vector3 kHairDark = {0.20, 0.125, 0.085}, kHairLight = {0.50, 0.33, 0.21};
 
 // Elevation of the hairline by azimuth, both in degrees.
 constexpr std::array<std::array<double, 2>, 14> kHairline = {{{0, 51},
@@ -30,13 +30,44 @@ constexpr std::array<std::array<double, 2>, 14> kHairline = {{{0, 51},
 
 double hairline(double azimuth_deg) {
   const double a = std::abs(azimuth_deg);
+  // The fringe falls to the head's left, from a parting on the right.
+  const double fringe = -5.0 * bell(azimuth_deg - 24, 24) + 3.0 * bell(azimuth_deg + 30, 15);
   std::size_t i = 0;
   while (i + 2 < kHairline.size() && a > kHairline[i + 1][0]) ++i;
   const double t = (a - kHairline[i][0]) / (kHairline[i + 1][0] - kHairline[i][0]);
-  return lerp(kHairline[i][1], kHairline[i + 1][1], t * t * (3 - 2 * t));
+  return lerp(kHairline[i][1], kHairline[i + 1][1], t * t * (3 - 2 * t)) + fringe;
 }
 
-constexpr int kHairColumns = 96, kHairRows = 22;
+constexpr std::uint32_t kLocks = 27, kColumnsPerLock = 6, kHairColumns = kLocks * kColumnsPerLock, kHairRows = 17;
+constexpr ChartPoint kWhorl = {-168, 64};
+constexpr double kSwirl = 0.16;  // how much the locks turn about the whorl, radians per squared radian of distance
+
+Vector3 direction(ChartPoint at) {
+  const double a = at.azimuth_deg * kPi / 180, e = at.elevation_deg * kPi / 180;
+  return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+ChartPoint chart_of(Vector3 d) {
+  return {std::atan2(d.x, d.z) * 180 / kPi, std::asin(std::clamp(d.y, -1.0, 1.0)) * 180 / kPi};
+}
+
+// A place at a distance from the whorl, in radians, along the lock that starts under an angle.
+ChartPoint along_lock(double angle, double distance) {
+  const Vector3 pole = direction(kWhorl), right = unit(cross({0, 1, 0}, pole)), up = cross(pole, right);
+  const double turned = angle + kSwirl * distance * distance;
+  return chart_of(pole * std::cos(distance) +
+                  (right * std::cos(turned) + up * std::sin(turned)) * std::sin(distance));
+}
+
+double lock_length(double angle) {
+  double distance = 0.2;
+  while (distance < 2.6) {
+    const ChartPoint at = along_lock(angle, distance);
+    if (at.elevation_deg < hairline(at.azimuth_deg)) break;
+    distance += 0.004;
+  }
+  return distance;
+}
 
 Vector3 outward(ChartPoint at) {
   const double d = 0.5;
@@ -50,36 +81,31 @@ Vector3 outward(ChartPoint at) {
 void add_hair(HeadBuilder& head) {
   head.begin_part("hair", {1, 1, 1}, 0.3);
   const std::uint32_t first = head.vertex_count();
-  for (int r = 0; r < kHairRows; ++r)
-    for (int c = 0; c < kHairColumns; ++c) {
-      const int side = c <= kHairColumns / 2 ? c : kHairColumns - c;
-      const double azimuth = 360.0 * side / kHairColumns;
-      const double t = std::max(0, r - 1) / (kHairRows - 1.0);
-      const double line = hairline(azimuth), elevation = lerp(line, 89.0, t);
-      const double depth = (elevation - line) * 1.9;  // mm from the hairline, roughly
-      const double front = smooth_step(60, 20, azimuth);
-      const double lock = std::cos(azimuth * kPi / 180 * 15 + 0.05 * elevation);
-      const double fine = std::cos(azimuth * kPi / 180 * 37 - 0.09 * elevation);
-      double height = lerp(3.0, 7.0, front) * smooth_step(-1, 7, depth) + 7 * smooth_step(2, 45, depth);
-      height += 5 * front * smooth_step(0, 14, depth) * smooth_step(75, 10, depth);
-      height += (1.0 * lock + 0.4 * fine) * smooth_step(2, 12, depth) * smooth_step(89, 62, elevation);
-      if (r == 0) height = -2.5;
-      const ChartPoint at = {azimuth, std::min(elevation, 89.0)};
+  std::array<double, kHairColumns> lengths;
+  for (std::uint32_t c = 0; c < kHairColumns; ++c) lengths[c] = lock_length(2 * kPi * c / kHairColumns);
+  for (std::uint32_t r = 0; r < kHairRows; ++r)
+    for (std::uint32_t c = 0; c < kHairColumns; ++c) {
+      const double in_lock = std::cos(2 * kPi * c / kColumnsPerLock);  // 1 on the ridge of a lock, -1 between two
+      const double unlike = std::sin(2.0 + 2.3 * (c / kColumnsPerLock));  // locks differ
+      // Over the last rows the hair goes down to the skin and a little under it.
+      const double t = std::min(1.0, (r + 1) / (kHairRows - 2.0));
+      const double tip = 0.038 * (in_lock + 0.7 * unlike);
+      const double distance = (lengths[c] + tip) * (1 - square(1 - t) * 0.25 - (1 - t) * 0.70);
+      const ChartPoint at = along_lock(2 * kPi * c / kHairColumns, distance);
       const Vector3 skull = skull_point(at);
-      Vector3 point = skull + unit(skull - Vector3{0, 10, 8}) * height;
-      if (c > kHairColumns / 2) point.x = -point.x;
-      head.add_vertex(point, lerp(kHairDark, kHairLight, 0.3 + 0.2 * lock + 0.1 * fine + 0.3 * smooth_step(30, 85, elevation)));
+      const double front = smooth_step(70, 25, std::abs(at.azimuth_deg)) * smooth_step(80, 60, at.elevation_deg);
+      double height = lerp(8.5, 4.0, smooth_step(0.5, 1, t)) + 1.5 * front;
+      height += 5.0 * bell(at.azimuth_deg - 12, 38) * bell(at.elevation_deg - 58, 17);
+      height += 2.0 * bell(std::abs(at.azimuth_deg) - 95, 50) * bell(at.elevation_deg - 48, 20);
+      height += (1.1 * in_lock + 0.5 * unlike) * smooth_step(0.0, 0.45, t);
+      if (r + 2 == kHairRows) height = 0.4 * height;
+      if (r + 1 == kHairRows) height = -3.0;
+      head.add_vertex(skull + unit(skull - Vector3{0, 10, 8}) * height,
+                      lerp(kHairDark, kHairLight, 0.36 + (0.20 * in_lock + 0.14 * unlike) * smooth_step(0, 0.4, t)));
     }
-  for (int r = 0; r < kHairRows; ++r)
-    for (int c = 1; c < kHairColumns / 2; ++c) {
-      const auto row = first + static_cast<std::uint32_t>(r * kHairColumns);
-      head.pair(row + static_cast<std::uint32_t>(c), row + static_cast<std::uint32_t>(kHairColumns - c));
-    }
+  const std::uint32_t whorl = head.add_vertex(skull_point(kWhorl) + direction(kWhorl) * 8.3, lerp(kHairDark, kHairLight, 0.36));
+  for (std::uint32_t c = 0; c < kHairColumns; ++c) head.add_polygon({first + c, first + (c + 1) % kHairColumns, whorl});
   add_grid(head, first, kHairRows, kHairColumns, true);
-  const std::uint32_t crown = head.add_vertex(skull_point({0, 90}) + Vector3{0, 10.0, 0}, kHairLight);
-  const std::uint32_t last = first + static_cast<std::uint32_t>((kHairRows - 1) * kHairColumns);
-  for (std::uint32_t c = 0; c < kHairColumns; ++c)
-    head.add_polygon({last + c, last + (c + 1) % static_cast<std::uint32_t>(kHairColumns), crown});
 }
 
 namespace {
@@ -152,7 +178,7 @@ double ear_relief(double rho, double turn_deg) {
 void add_ears(HeadBuilder& head) {
   const std::uint32_t first = head.vertex_count();
   const auto first_polygon = static_cast<std::uint32_t>(head.polygon_starts.size() - 1);
-  head.begin_part("ear_left", {1, 1, 1}, 0.25);
+  head.begin_part("ears", {1, 1, 1}, 0.25);
   constexpr std::array<double, 15> kRho = {0.08, 0.2, 0.32, 0.44, 0.53, 0.62, 0.70, 0.78, 0.85, 0.92, 0.97, 1.0, 0.99, 0.92, 0.72};
   constexpr std::uint32_t kColumns = 44;
   for (std::size_t r = 0; r < kRho.size(); ++r)
@@ -182,7 +208,10 @@ void add_ears(HeadBuilder& head) {
   const Vector3 bowl = head.points_mm[first];
   const std::uint32_t middle = head.add_vertex({bowl.x, 11.5, 1.5}, head.colors_srgb[first]);
   for (std::uint32_t c = 0; c < kColumns; ++c) head.add_polygon({first + c, first + (c + 1) % kColumns, middle});
-  head.add_mirror_image("ear_right", first, first_polygon);
+  const std::uint32_t polygons = head.parts.back().polygon_count;
+  head.add_mirror_image("ears", first, first_polygon);
+  head.parts.pop_back();
+  head.parts.back().polygon_count = 2 * polygons;
 }
 
 }  // namespace face::phantom

@@ -5,11 +5,11 @@
 
 namespace face::phantom {
 
-// A short head of hair, standing off the skull, as the part "hair".
+// Short hair, combed from a whorl at the back to the front and the head's left, as the part "hair". It is not symmetric.
 void add_hair(HeadBuilder& head);
 // Eyebrows as the part "brows", hanging on the nearest vertex of the skin.
 Attached add_brows(HeadBuilder& head, const Skin& skin);
-// Both ears as the parts ear_left and ear_right.
+// Both ears as the part ears.
 void add_ears(HeadBuilder& head);
 
 }  // namespace face::phantom

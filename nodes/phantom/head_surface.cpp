@@ -41,9 +41,9 @@ struct NeckLoop {
 };
 constexpr std::array<NeckLoop, 5> kNeck = {{{-82, -84, 48, -58, 56},
                                             {-100, -98, 40, -58, 54},
-                                            {-122, -116, 40, -60, 56},
-                                            {-146, -136, 44, -66, 64},
-                                            {-172, -158, 50, -74, 76}}};
+                                            {-124, -112, 38, -60, 58},
+                                            {-148, -128, 42, -68, 78},
+                                            {-166, -142, 54, -76, 112}}};
 
 double radians(double deg) { return deg * std::numbers::pi / 180; }
 
@@ -98,19 +98,25 @@ constexpr std::array<std::array<double, 2>, 10> kNoseRidge = {
     {{44, 0}, {34, 4.5}, {26, 7.5}, {18, 11}, {11, 15.5}, {6, 18}, {1, 17}, {-4, 11}, {-9, 4}, {-14, 0}}};
 constexpr std::array<std::array<double, 2>, 6> kNoseWidth = {{{44, 8}, {30, 7.2}, {20, 8}, {10, 9.5}, {0, 11}, {-14, 9}}};
 
+// 1 in the middle of a nostril, 0 away from it.
+double nostril_weight(Vector3 at) {
+  const double x = std::abs(at.x) - 5.9, y = at.y + 6.6;
+  return std::exp(-std::pow(square(x / 3.3) + square((y - 0.25 * x) / 3.0), 1.6));
+}
+
 Vector3 nose_offset(Vector3 at) {
   const double x = std::abs(at.x), y = at.y;
   if (x > 40 || y > 60 || y < -40 || at.z < 40) return {};
   double dz = profile(kNoseRidge, y) * std::exp(-std::pow(x / profile(kNoseWidth, y), 2.6));
   dz += 3.0 * bell(x, 7.5) * bell(y - 4, 6.5);       // tip
-  dz += 8.0 * bell(x - 10.5, 4.6) * bell(y + 1.5, 5.2);  // wings
-  dz -= 1.5 * bell(x - 17.5, 3.5) * bell(y + 2, 7);  // crease beside the wing
+  dz += 9.0 * bell(x - 11.2, 4.4) * bell(y + 2.2, 5.2);  // wings
+  dz -= 2.0 * bell(x - 17.5, 3.2) * bell(y + 3, 7);  // crease beside the wing
   // The underside: what slopes from the tip back to the lip is drawn together into a nearly level floor.
   const double under = bell(x, 15) * smooth_step(2, -5, y) * smooth_step(-19, -11, y);
   double dy = (-6.5 - y) * 0.70 * under;
-  const double nostril = bell(x - 5.8, 2.9) * bell(y + 5.8, 2.6);
-  dy += 5.5 * nostril;
-  dz -= 1.5 * nostril;
+  const double nostril = nostril_weight(at);
+  dy += 4.2 * nostril;
+  dz -= 2.0 * nostril;
   return {0, dy, dz};
 }
 
@@ -131,6 +137,11 @@ Vector3 skull_point(ChartPoint at) {
 Vector3 skin_point(ChartPoint at) {
   const Vector3 skull = skull_point(at);
   return skull + nose_offset(skull);
+}
+
+double nostril_darkness(ChartPoint at) {
+  if (std::abs(at.azimuth_deg) > 20 || std::abs(at.elevation_deg) > 20) return 0;
+  return smooth_step(0.35, 0.95, nostril_weight(skull_point(at)));
 }
 
 ChartPoint to_chart(Vector3 point_mm) {

@@ -17,6 +17,9 @@ Vector3 skin_point(ChartPoint at);
 // The same without the nose.
 Vector3 skull_point(ChartPoint at);
 
+// How dark the skin is for lying in a nostril: 0 to 1.
+double nostril_darkness(ChartPoint at);
+
 // Chart place of a point above the neck; inverse of skull_point() along the ray from the chart's centre.
 ChartPoint to_chart(Vector3 point_mm);
 

@@ -25,8 +25,8 @@ Head neutral_head(const MakeHeadOptions& options) {
   head.lashes = add_lashes(head.mesh, head.skin);
   head.brows = add_brows(head.mesh, head.skin);
   add_ears(head.mesh);
-  if (options.with_hair) add_hair(head.mesh);
   head.mesh.symmetrise();
+  if (options.with_hair) add_hair(head.mesh);  // falls to one side
   return head;
 }
 

@@ -20,8 +20,7 @@ Vector3 skin_color(const SkinVertex& v, Vector3 point) {
     color = lerp(color, kBlush, 0.40 * bell(x - 43, 19) * bell(y + 2, 17));          // cheeks
     color = lerp(color, kBlush, 0.32 * bell(x, 15) * bell(y - 2, 11));                // nose
     color = lerp(color, kBlush, 0.22 * bell(x, 16) * bell(y + 66, 10));               // chin
-    const double nostril = bell(x - 6.3, 3.6) * bell(y + 6.0, 3.4);
-    if (point.z > 100) color = lerp(color, {0.30, 0.12, 0.10}, 0.75 * smooth_step(0.35, 0.9, nostril));
+    color = lerp(color, {0.28, 0.10, 0.08}, 0.85 * nostril_darkness(v.at));
   }
   if (v.loop == Loop::left_eye || v.loop == Loop::right_eye) {
     color = lerp(color, kLidShade, 0.55 * smooth_step(5.5, 1.5, v.ring));

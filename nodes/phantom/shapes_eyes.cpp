@@ -37,9 +37,8 @@ void move_lids(const Head& head, Lids lids, Offsets& offsets) {
       Vector3 to = from;
       const double edge_y = at(-1, c).y;
       const double moved_edge = lerp(edge_y, meet_y, shut);
-      if (ring <= -1) {
-        to.y = moved_edge + (from.y - edge_y) * (ring == -1 ? 1 : 1 - 0.5 * std::max(0.0, shut));
-        if (ring == -1) to.y = moved_edge;
+      if (ring < 0) {
+        to.y = from.y + moved_edge - edge_y;
       } else {
         // Shut lids also press their edges flat against each other.
         const double thin = lerp(1.0, 0.25, std::clamp(shut, 0.0, 1.0) * (ring == 0));

@@ -58,8 +58,15 @@ Offsets jaw_shape(const Head& head, const Fields& fields, std::string_view name)
   if (name == "tongueOut") return tongue_out(head);
   if (name == "jawForward")
     return move_jaw(head, fields, [](Vector3 p, double share) { return p + share * Vector3{0, -0.3, 6.5}; });
-  if (name == "jawLeft")
-    return move_jaw(head, fields, [](Vector3 p, double share) { return p + share * Vector3{7.0, -0.35, -0.02 * p.x}; });
+  if (name == "jawLeft") {
+    // The lips stay shut: both go half of the way.
+    Fields sealed = fields;
+    for (std::size_t v = 0; v < sealed.jaw.size(); ++v) {
+      const double near = std::max(bell(fields.lip_mm[v], 9), 0.0);
+      sealed.jaw[v] = lerp(fields.jaw[v], 0.5 * smooth_step(60, 20, fields.lip_mm[v]), near);
+    }
+    return move_jaw(head, sealed, [](Vector3 p, double share) { return p + share * Vector3{7.0, -0.2, -0.02 * p.x}; });
+  }
   check(name == "jawOpen", "'", name, "' is not a shape of the jaw");
   Offsets offsets = move_jaw(head, fields, [](Vector3 p, double share) {
     const double a = share * kJawOpenDeg * std::numbers::pi / 180;
@@ -85,11 +92,11 @@ Offsets cheek_shape(const Head& head, const Fields& fields, std::string_view nam
     }
     symmetrise(head, offsets);
   } else if (name == "cheekSquintLeft") {
-    push(head, fields, {38, 3, 92}, 18, {0.8, 4.6, 1.8}, offsets);
+    push(head, fields, {38, 3, 92}, 19, {1.0, 6.0, 2.4}, offsets);
   } else if (name == "noseSneerLeft") {
-    push(head, fields, {13, -3, 113}, 9, {0.8, 3.8, 0.2}, offsets);
-    push(head, fields, {19, -10, 108}, 11, {0.6, 3.0, 0.8}, offsets);
-    push(head, fields, {9, 22, 110}, 8, {-0.4, 1.8, 0.8}, offsets);
+    push(head, fields, {13, -3, 113}, 9, {1.0, 5.0, 0.2}, offsets);
+    push(head, fields, {20, -10, 108}, 11, {0.6, 4.0, 1.4}, offsets);
+    push(head, fields, {9, 22, 110}, 8, {-0.4, 2.4, 1.2}, offsets);
     push(head, fields, {12, 48, 108}, 9, {-0.8, -2.2, 0.8}, offsets);
   } else {
     fail("'", name, "' is not a shape of the left cheek");

@@ -25,8 +25,7 @@ double left_half(double across) { return smooth_step(-0.25, 0.25, across); }
 
 // The corner of the mouth on the left, along the lips and around it on the cheek.
 double corner_weight(const LipView& at, double reach_mm) {
-  const double along = smooth_step(-0.35, 1.0, at.across);
-  return std::pow(along, 1.4) * bell(at.outside, reach_mm);
+  return square(std::clamp((at.across + 0.3) / 1.3, 0.0, 1.0)) * bell(at.outside, reach_mm);
 }
 
 Vector3 roll(const LipView& at, double up, double back_mm, double lining_follows) {
@@ -46,7 +45,10 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
   if (name == "mouthLeft") return {8.5 * wide, 0.5 * at.across * wide, -0.10 * at.x * wide};
   if (name == "mouthSmileLeft") {
     const double w = corner_weight(at, 17);
-    return {6.2 * w, 7.2 * w - 0.8 * away * at.red * w, -4.2 * w * smooth_step(0, 1, at.across)};
+    // The cheek rounds up above a fold that runs from the nose past the corner.
+    const double cheek = bell(at.x - 38, 15) * bell(at.y + 8, 13), fold = bell(at.x - 31, 4.5) * bell(at.y + 22, 10);
+    return Vector3{6.2 * w, 7.2 * w - 0.8 * away * at.red * w, -4.2 * w * smooth_step(0, 1, at.across)} +
+           smooth_step(1, 8, at.outside) * (cheek * Vector3{1.0, 2.4, 2.6} + fold * Vector3{0.0, 0.0, -1.4});
   }
   if (name == "mouthFrownLeft") {
     const double w = corner_weight(at, 15);
@@ -65,9 +67,9 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
   if (name == "mouthShrugLower")
     return {0, (2.2 + 1.8 * at.lower * smooth_step(0, 8, at.outside)) * std::pow(middle, 0.7) * near *
                    (at.lower + upper * bell(at.outside, 7)),
-            at.lower * near * middle * 2.4 + at.lower * middle * 2.0 * bell(at.outside - 14, 9)};
+            near * middle * 2.4 + at.lower * middle * 2.0 * bell(at.outside - 14, 9)};
   if (name == "mouthShrugUpper")
-    return {0, 2.8 * upper * near * std::pow(middle, 0.7), 2.0 * upper * near * middle};
+    return {0, 2.2 * upper * near * std::pow(middle, 0.7), 2.0 * upper * near * middle};
   if (name == "mouthPressLeft") {
     const double w = left_half(at.across) * bell(at.outside, 8);
     const double corner = corner_weight(at, 10);
