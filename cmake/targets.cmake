@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The four words of the project's CMake:
-#   area(NAME LINKS ...)          an algorithm library, its node adapters and its tests (tests/nodes/NAME/*_test.cpp)
+#   area(NAME [PLAIN] LINKS ...)  an algorithm library, its node adapters and its tests (tests/nodes/NAME/*_test.cpp);
+#                                 PLAIN: without the value types of nodes/types
 #   sources(NAME ...)             further algorithm files of the area (NAME.cpp)
-#   node(NAME ...)                a node of the area: NAME.cpp (algorithm) and NAME.node.cpp (adapter)
+#   node(NAME ...)                a node of the area: NAME.cpp (algorithm, unless in a file of sources()) and NAME.node.cpp
 #   plugin(NAME AREAS ...)        one shared library that holds the nodes of these areas
 
 set(CMAKE_CXX_STANDARD 20)
@@ -26,6 +27,7 @@ endif()
 add_library(facegraph_flags INTERFACE)
 target_compile_options(facegraph_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of its own std::string (GCC bug 105651)
   -march=x86-64-v3 -ffp-contract=off -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
 target_compile_definitions(facegraph_flags INTERFACE EIGEN_DONT_PARALLELIZE)
 target_include_directories(facegraph_flags INTERFACE ${PROJECT_SOURCE_DIR})
@@ -50,10 +52,13 @@ function(test_suite name folder)
 endfunction()
 
 function(area name)
-  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(arg "PLAIN" "" "LINKS" ${ARGN})
+  if(NOT arg_PLAIN)
+    list(APPEND arg_LINKS face_types)
+  endif()
   add_library(face_${name} STATIC)
   set_target_properties(face_${name} PROPERTIES LINKER_LANGUAGE CXX)
-  target_link_libraries(face_${name} PUBLIC facegraph_flags face_types ${arg_LINKS})
+  target_link_libraries(face_${name} PUBLIC facegraph_flags ${arg_LINKS})
   add_library(face_${name}_nodes OBJECT)
   target_link_libraries(face_${name}_nodes PRIVATE face_${name} engine)
   set(AREA ${name} PARENT_SCOPE)
@@ -68,7 +73,9 @@ endfunction()
 
 function(node)
   foreach(name IN LISTS ARGN)
-    target_sources(face_${AREA} PRIVATE ${name}.cpp)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp)
+      target_sources(face_${AREA} PRIVATE ${name}.cpp)
+    endif()
     target_sources(face_${AREA}_nodes PRIVATE ${name}.node.cpp)
   endforeach()
 endfunction()
@@ -83,6 +90,10 @@ function(plugin name)
   set_target_properties(plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
     LIBRARY_OUTPUT_DIRECTORY ${FACEGRAPH_PLUGIN_DIR} BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../..")
   target_link_libraries(plugin_${name} PRIVATE facegraph_flags engine)
+  # The node list beside the library, so that listing loads nothing.
+  add_custom_command(TARGET plugin_${name} POST_BUILD
+    COMMAND facegraph_list_nodes $<TARGET_FILE:plugin_${name}> ${FACEGRAPH_PLUGIN_DIR}/${name}.nodes.json VERBATIM)
+  add_dependencies(plugin_${name} facegraph_list_nodes)
   foreach(area IN LISTS arg_AREAS)
     target_sources(plugin_${name} PRIVATE $<TARGET_OBJECTS:face_${area}_nodes>)
     target_link_libraries(plugin_${name} PRIVATE face_${area})

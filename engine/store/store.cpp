@@ -26,10 +26,11 @@ namespace engine {
 namespace store {
 namespace {
 
-constexpr std::size_t kSmallBytes = 4096;         // values up to here lie in the index
-constexpr std::size_t kFoldRecords = 2000;        // a journal of so many records,
-constexpr std::size_t kFoldBytes = 8 << 20;       // or bytes,
-constexpr std::chrono::milliseconds kFoldWait{500};  // or this old is folded
+constexpr std::size_t kSmallBytes = 4096;   // values up to here lie in the index
+// A journal is folded when it has so many records or bytes, or is this old. Larger batches rewrite fewer pages of the index.
+constexpr std::size_t kFoldRecords = 8000;
+constexpr std::size_t kFoldBytes = 24 << 20;
+constexpr std::chrono::milliseconds kFoldWait{1000};
 
 // Makes the folders; the error for a path that is a file.
 std::string prepared(const std::string& folder) {

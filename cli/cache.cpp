@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "cli/commands.h"
+#include "engine/run/run.h"
+
+namespace cli {
+namespace {
+
+constexpr const char* units[] = {"B", "kB", "MB", "GB", "TB"};
+
+}  // namespace
+
+std::int64_t parse_size(const std::string& text) {
+  char* rest = nullptr;
+  const double number = std::strtod(text.c_str(), &rest);
+  double factor = 1;
+  for (const char* unit : units) {
+    if (rest != text.c_str() && number >= 0 && std::isfinite(number) && (std::string(rest) == unit || (*rest == '\0' && factor == 1)))
+      return static_cast<std::int64_t>(number * factor);
+    factor *= 1000;
+  }
+  throw std::invalid_argument("'" + text + "' is no size: expected a number and B, kB, MB, GB or TB, such as 500MB");
+}
+
+std::string show_size(std::uint64_t bytes) {
+  double value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (value >= 1000 && unit + 1 < std::size(units)) {
+    value /= 1000;
+    ++unit;
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", value, units[unit]);
+  return text;
+}
+
+int cache(const Common& common, const CacheArguments& arguments) {
+  const auto store = open_store(common);
+  if (arguments.action == "stat") {
+    const engine::StoreStat stat = store->stat();
+    std::printf("%s\n%llu objects, %s; %llu tasks, %llu small values, %llu pins\n", store->folder().c_str(),
+                static_cast<unsigned long long>(stat.objects), show_size(stat.object_bytes).c_str(),
+                static_cast<unsigned long long>(stat.records), static_cast<unsigned long long>(stat.small_values),
+                static_cast<unsigned long long>(stat.pins));
+    return done;
+  }
+  if (arguments.action == "gc") {
+    const std::string size = arguments.max_size.empty() ? "50GB" : arguments.max_size;
+    const engine::GcResult result = store->gc(static_cast<std::uint64_t>(parse_size(size)), arguments.max_age_days * 86400);
+    std::printf("removed %llu objects, %s; %s left\n", static_cast<unsigned long long>(result.removed_objects),
+                show_size(result.removed_bytes).c_str(), show_size(result.kept_bytes).c_str());
+    return done;
+  }
+  if (arguments.action == "verify") {
+    const engine::VerifyResult result = store->verify();
+    for (const engine::Digest& digest : result.damaged) std::printf("damaged, removed: %s\n", digest.hex().c_str());
+    std::printf("%llu objects checked, %zu damaged\n", static_cast<unsigned long long>(result.checked), result.damaged.size());
+    return result.damaged.empty() ? done : task_failed;
+  }
+  if (arguments.action == "unpin") {
+    store->unpin(arguments.name);
+    return done;
+  }
+  const auto plugins = open_plugins(common);
+  engine::Graph graph;
+  if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
+  const std::vector<engine::Digest> digests = engine::values_of(graph, *plugins, *store);
+  store->pin(arguments.name, digests);
+  std::printf("pinned %zu values as %s\n", digests.size(), arguments.name.c_str());
+  return done;
+}
+
+}  // namespace cli

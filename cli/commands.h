@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// One function, and one file, per command. Each returns the exit code.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/context.h"
+
+namespace cli {
+
+struct RunArguments {
+  GraphArguments graph;
+  std::string out;
+  std::string to;
+  std::vector<std::string> elements;
+  int threads = 0;
+  std::string memory;      // "500MB"
+  bool fail_fast = false;
+  bool quiet = false;
+  std::string events;      // NDJSON here ("-" = standard output)
+  std::string summary;     // JSON here
+};
+int run(const Common& common, const RunArguments& arguments);
+
+struct PlanArguments {
+  GraphArguments graph;
+  bool all = false;        // list cached tasks too
+  bool json = false;
+};
+int plan(const Common& common, const PlanArguments& arguments);
+
+struct ExplainArguments {
+  GraphArguments graph;
+  std::string task;        // "node" or "node[17]"
+  bool json = false;
+};
+int explain(const Common& common, const ExplainArguments& arguments);
+
+struct GetArguments {
+  GraphArguments graph;
+  std::string reference;
+  std::string out;         // file; empty = JSON on standard output
+};
+int get(const Common& common, const GetArguments& arguments);
+
+int validate(const Common& common, const GraphArguments& arguments);
+
+struct NodesArguments {
+  std::string filter;
+  bool json = false;
+};
+int nodes(const Common& common, const NodesArguments& arguments);
+
+struct DescribeArguments {
+  std::string name;        // of a node or a value type
+  bool json = false;
+};
+int describe(const Common& common, const DescribeArguments& arguments);
+
+int schema(const Common& common);
+
+struct CacheArguments {
+  std::string action;      // stat, gc, pin, unpin, verify
+  std::string max_size;    // "50GB"
+  double max_age_days = 0;
+  std::string name;        // pin, unpin
+  GraphArguments graph;    // pin
+};
+int cache(const Common& common, const CacheArguments& arguments);
+
+// "500MB" -> bytes (decimal units). Throws std::invalid_argument.
+std::int64_t parse_size(const std::string& text);
+std::string show_size(std::uint64_t bytes);
+
+}  // namespace cli

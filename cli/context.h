@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/graph/graph.h"
+#include "engine/plugin/plugins.h"
+#include "engine/store/store.h"
+
+namespace cli {
+
+// Exit codes.
+enum Exit { done = 0, task_failed = 1, invalid = 2, plugin_problem = 3, interrupted = 130 };
+
+// What every command takes.
+struct Common {
+  std::vector<std::string> plugin_folders;  // besides the installed one
+  std::string store;                        // empty = FACEGRAPH_STORE, else the user's cache folder
+};
+
+struct GraphArguments {
+  std::string path;
+  std::vector<std::string> sets;            // NAME=VALUE
+};
+
+std::unique_ptr<engine::Plugins> open_plugins(const Common& common);
+std::shared_ptr<engine::Store> open_store(const Common& common);
+
+// Reads the graph; prints every problem and returns false where there are any.
+bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins, engine::Graph& graph);
+
+// Splits "node.output[17]"; prints what is wrong and returns false.
+bool read_reference(const std::string& text, engine::Reference& reference);
+
+}  // namespace cli

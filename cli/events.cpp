@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/events.h"
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/problem.h"
+
+namespace cli {
+namespace {
+
+const char* name_of(engine::RunEvent::Kind kind) {
+  using Kind = engine::RunEvent::Kind;
+  switch (kind) {
+    case Kind::started: return "started";
+    case Kind::finished: return "finished";
+    case Kind::reused: return "reused";
+    case Kind::failed: return "failed";
+    case Kind::blocked: return "blocked";
+    case Kind::warning: return "warning";
+    case Kind::progress: return "progress";
+    case Kind::published: return "published";
+  }
+  return "";
+}
+
+std::FILE* open(const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "we");
+  if (!file) throw engine::EngineError("cannot write " + path + ": " + std::strerror(errno));
+  return file;
+}
+
+}  // namespace
+
+EventWriter::EventWriter(const std::string& path) {
+  if (path == "-")
+    file_ = stdout;
+  else if (!path.empty())
+    file_ = open(path);
+}
+
+EventWriter::~EventWriter() {
+  if (file_ && file_ != stdout) std::fclose(file_);
+}
+
+void EventWriter::write(const engine::RunEvent& event) {
+  if (!file_) return;
+  nlohmann::ordered_json json = {{"event", name_of(event.kind)}, {"time_s", event.time_s}, {"node", event.node},
+                                 {"type", event.type},           {"done", event.done},     {"known", event.known}};
+  if (!event.element.empty()) json["element"] = event.element;
+  if (!event.text.empty()) json["text"] = event.text;
+  if (event.kind == engine::RunEvent::Kind::finished) json["seconds"] = event.seconds;
+  if (event.kind == engine::RunEvent::Kind::progress) json["fraction"] = event.fraction;
+  std::fputs((json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str(), file_);
+}
+
+void write_summary(const std::string& path, const engine::RunResult& result) {
+  const nlohmann::ordered_json json = {{"tasks",
+                                        {{"run", result.tasks.run},
+                                         {"reused", result.tasks.reused},
+                                         {"failed", result.tasks.failed},
+                                         {"blocked", result.tasks.blocked}}},
+                                       {"seconds", result.seconds},
+                                       {"failures", result.failures},
+                                       {"published", result.published}};
+  std::FILE* file = open(path);
+  std::fputs((json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str(), file);
+  std::fclose(file);
+}
+
+}  // namespace cli

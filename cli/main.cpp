@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <malloc.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "engine/base/problem.h"
+
+namespace {
+
+void add_graph(CLI::App* command, cli::GraphArguments& arguments, bool required = true) {
+  CLI::Option* graph = command->add_option("graph", arguments.path, "A graph file (JSON)");
+  if (required) graph->required();
+  command->add_option("--set", arguments.sets, "A parameter of the graph or of a node: NAME=VALUE or NODE.PARAM=VALUE")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  // Large values come and go: their memory shall go back to the system.
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 16 << 20);
+
+  CLI::App app{"Facegraph: facial performance and speech animation as a graph of nodes."};
+  app.require_subcommand(1);
+  app.option_defaults()->always_capture_default(false);
+  cli::Common common;
+  app.add_option("--plugins", common.plugin_folders, "Further folders of plugins")->type_name("FOLDER")->allow_extra_args(false);
+  app.add_option("--store", common.store, "Where results are kept (default: FACEGRAPH_STORE, else the user's cache)")->type_name("FOLDER");
+  app.fallthrough();
+
+  cli::RunArguments run;
+  CLI::App* run_command = app.add_subcommand("run", "Run a graph and publish its outputs");
+  add_graph(run_command, run.graph);
+  run_command->add_option("--out", run.out, "Folder for the outputs")->type_name("FOLDER");
+  run_command->add_option("--to", run.to, "Run only what this node needs, and publish nothing")->type_name("NODE");
+  run_command->add_option("--elements", run.elements, "With --to: only these elements, such as 0-49")->delimiter(',')->type_name("IDS");
+  run_command->add_option("--threads", run.threads, "Tasks at once (default: as many as cores)")->check(CLI::Range(1, 1024));
+  run_command->add_option("--memory", run.memory, "Budget for values in memory, such as 500MB")->type_name("SIZE");
+  run_command->add_flag("--fail-fast", run.fail_fast, "Stop at the first failed task");
+  run_command->add_flag("--quiet", run.quiet, "Print failures only");
+  run_command->add_option("--events", run.events, "Write events as NDJSON to a file (- = standard output)")->type_name("FILE");
+  run_command->add_option("--summary", run.summary, "Write counts and time as JSON to a file")->type_name("FILE");
+
+  cli::PlanArguments plan;
+  CLI::App* plan_command = app.add_subcommand("plan", "Say what a run would do");
+  add_graph(plan_command, plan.graph);
+  plan_command->add_flag("--all", plan.all, "List cached tasks too");
+  plan_command->add_flag("--json", plan.json, "As JSON");
+
+  cli::ExplainArguments explain;
+  CLI::App* explain_command = app.add_subcommand("explain", "Say why a node would run again: the true first cause");
+  add_graph(explain_command, explain.graph);
+  explain_command->add_option("task", explain.task, "NODE, or NODE[ID]")->required();
+  explain_command->add_flag("--json", explain.json, "As JSON");
+
+  cli::GetArguments get;
+  CLI::App* get_command = app.add_subcommand("get", "Look at one value inside a graph");
+  add_graph(get_command, get.graph);
+  get_command->add_option("value", get.reference, "NODE.OUTPUT[ID]")->required();
+  get_command->add_option("-o,--output", get.out, "File to write, such as x.png (default: JSON on standard output)")->type_name("FILE");
+
+  cli::GraphArguments validate;
+  CLI::App* validate_command = app.add_subcommand("validate", "Check a graph and run nothing");
+  add_graph(validate_command, validate);
+
+  cli::NodesArguments nodes;
+  CLI::App* nodes_command = app.add_subcommand("nodes", "List the nodes");
+  nodes_command->add_option("filter", nodes.filter, "Only names and texts with this in them");
+  nodes_command->add_flag("--json", nodes.json, "As JSON");
+
+  cli::DescribeArguments describe;
+  CLI::App* describe_command = app.add_subcommand("describe", "Say everything about a node or a value type");
+  describe_command->add_option("name", describe.name, "A node, such as seq.every, or a type")->required();
+  describe_command->add_flag("--json", describe.json, "As JSON");
+
+  CLI::App* schema_command = app.add_subcommand("schema", "Print the JSON Schema of graphs, with every installed node");
+
+  cli::CacheArguments cache;
+  CLI::App* cache_command = app.add_subcommand("cache", "The store of results");
+  cache_command->require_subcommand(1);
+  CLI::App* cache_stat = cache_command->add_subcommand("stat", "How much it holds");
+  CLI::App* cache_gc = cache_command->add_subcommand("gc", "Remove what was not used for longest");
+  cache_gc->add_option("--max-size", cache.max_size, "Keep at most this much (default 50GB)")->type_name("SIZE");
+  cache_gc->add_option("--max-age-days", cache.max_age_days, "Remove what is older")->check(CLI::PositiveNumber);
+  CLI::App* cache_pin = cache_command->add_subcommand("pin", "Keep what a graph's results need, whatever gc removes");
+  cache_pin->add_option("name", cache.name, "A name for the pin")->required();
+  add_graph(cache_pin, cache.graph);
+  CLI::App* cache_unpin = cache_command->add_subcommand("unpin", "Let a pin go");
+  cache_unpin->add_option("name", cache.name, "The pin")->required();
+  CLI::App* cache_verify = cache_command->add_subcommand("verify", "Check every object against its digest");
+
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? cli::done : cli::invalid;
+  }
+  try {
+    if (*run_command) return cli::run(common, run);
+    if (*plan_command) return cli::plan(common, plan);
+    if (*explain_command) return cli::explain(common, explain);
+    if (*get_command) return cli::get(common, get);
+    if (*validate_command) return cli::validate(common, validate);
+    if (*nodes_command) return cli::nodes(common, nodes);
+    if (*describe_command) return cli::describe(common, describe);
+    if (*schema_command) return cli::schema(common);
+    for (CLI::App* action : {cache_stat, cache_gc, cache_pin, cache_unpin, cache_verify})
+      if (*action) cache.action = action->get_name();
+    return cli::cache(common, cache);
+  } catch (const engine::PluginError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return cli::plugin_problem;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return cli::invalid;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return cli::task_failed;
+  }
+}

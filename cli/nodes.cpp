@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "cli/commands.h"
+
+namespace cli {
+
+int nodes(const Common& common, const NodesArguments& arguments) {
+  const auto plugins = open_plugins(common);
+  engine::NodeList list;
+  for (const std::string& name : plugins->node_names()) {
+    const engine::NodeInfo& node = *plugins->find(name);
+    if (!arguments.filter.empty() && name.find(arguments.filter) == std::string::npos &&
+        node.doc.find(arguments.filter) == std::string::npos)
+      continue;
+    list.nodes.push_back(node);
+    if (!arguments.json) std::printf("%-28s %s\n", name.c_str(), node.doc.c_str());
+  }
+  if (arguments.json) std::printf("%s", engine::write_node_list(list).c_str());
+  return done;
+}
+
+}  // namespace cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/events.h"
+#include "cli/progress.h"
+#include "engine/run/run.h"
+
+namespace cli {
+namespace {
+
+volatile std::sig_atomic_t stop_signal = 0;
+void on_signal(int number) { stop_signal = number; }
+
+}  // namespace
+
+int run(const Common& common, const RunArguments& arguments) {
+  const auto plugins = open_plugins(common);
+  engine::Graph graph;
+  if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
+  if (!arguments.elements.empty() && arguments.to.empty()) {
+    std::fprintf(stderr, "command line: --elements goes with --to NODE\n");
+    return invalid;
+  }
+  const auto store = open_store(common);
+
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+
+  ProgressPrinter progress(arguments.quiet);
+  EventWriter events(arguments.events);
+  engine::RunOptions options;
+  options.threads = arguments.threads;
+  if (!arguments.memory.empty()) options.memory_bytes = parse_size(arguments.memory);
+  options.fail_fast = arguments.fail_fast;
+  options.to = arguments.to;
+  options.elements = arguments.elements;
+  options.out_folder = arguments.out;
+  options.stop_requested = [] { return stop_signal != 0; };
+  options.abandon = [] {
+    // A task does not heed its stop request. The store is always in a state to be left.
+    constexpr char text[] = "\ninterrupted: finished tasks are kept\n";
+    if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(interrupted);
+    ::_exit(interrupted);
+  };
+  options.observer = [&](const engine::RunEvent& event) {
+    events.write(event);
+    progress.show(event);
+  };
+  const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
+  progress.clear();
+  if (!arguments.summary.empty()) write_summary(arguments.summary, result);
+  if (stop_signal != 0) {
+    std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);
+    return interrupted;
+  }
+  if (!arguments.quiet || result.tasks.failed > 0) {
+    if (result.tasks.failed > 0)
+      for (const std::string& failure : result.failures) std::fprintf(stderr, "%s\n", failure.c_str());
+    std::fprintf(stderr, "%zu run, %zu reused, %zu failed, %zu blocked in %.2f s\n", result.tasks.run, result.tasks.reused,
+                 result.tasks.failed, result.tasks.blocked, result.seconds);
+  }
+  if (!arguments.quiet)
+    for (const std::string& path : result.published) std::fprintf(stdout, "%s\n", path.c_str());
+  return result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty() ? task_failed : done;
+}
+
+}  // namespace cli

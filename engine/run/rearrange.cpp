@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine's own nodes: they make no values, only other orders of them.
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "engine/base/element_id.h"
+#include "engine/run/session.h"
+
+namespace engine::run {
+namespace {
+
+// * and ? as in a shell, on a whole name.
+bool matches(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0, star = std::string_view::npos, retry = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      retry = n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++retry;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+const Digest& identity_of_true() {
+  static const Digest digest = digest_of(Bytes{1});
+  return digest;
+}
+
+}  // namespace
+
+Rearrangement::Rearrangement(Session& session, int node, Bindings inputs, std::vector<Tree*> outputs)
+    : session_(session), node_(node), output_(outputs.at(0)) {
+  for (const auto& port : inputs) {
+    inputs_.emplace_back();
+    for (const Binding& binding : port)
+      if (binding.tree) inputs_.back().push_back(binding.tree);
+  }
+}
+
+void Rearrangement::start() {
+  const Structural kind = session_.node(node_).info->structural;
+  for (auto& port : inputs_)
+    for (Tree* tree : port) {
+      if (kind == Structural::list_files || kind == Structural::merge || kind == Structural::where) {
+        if (!session_.watch_settling(tree, this)) update(tree);
+      } else {
+        session_.watch_growth(tree, this);
+      }
+    }
+}
+
+void Rearrangement::update(Tree*) {
+  if (done_) return;
+  for (auto& port : inputs_)
+    for (Tree*& tree : port) {
+      tree = follow(tree);
+      if (tree->state == Tree::State::pending) return;
+      if (tree->state == Tree::State::failed) {
+        done_ = true;
+        return session_.fail_tree(output_);
+      }
+    }
+  switch (session_.node(node_).info->structural) {
+    case Structural::list_files:
+      return list_files();
+    case Structural::flatten:
+      return flatten();
+    case Structural::merge:
+      return merge();
+    default:
+      return pass_through();
+  }
+}
+
+void Rearrangement::list_files() {
+  const GraphNode& graph_node = session_.node(node_);
+  done_ = true;
+  const auto fail = [&](const std::string& text) {
+    session_.note_failure(graph_node.id + ": " + text);
+    ++session_.counts_.failed;
+    session_.fail_tree(output_);
+  };
+  Tree* folder = inputs_[0][0];
+  if (!folder->source || !folder->value.as<File>().is_folder()) return fail("its input 'folder' is no folder");
+  const std::string pattern = std::get<std::string>(graph_node.params[0]);
+  struct Entry {
+    std::string id;
+    const File::Entry* file;
+  };
+  std::vector<Entry> entries;
+  const File held = folder->value.as<File>();
+  for (const File::Entry& file : held.entries()) {
+    if (file.name.find('/') != std::string::npos || !matches(pattern, file.name)) continue;
+    const std::size_t dot = file.name.find_last_of('.');
+    const std::string id = canonical_id(dot == 0 ? file.name : file.name.substr(0, dot));
+    if (id.empty())
+      return fail("file " + file.name + " gives no id: expected letters, digits, '_', '-' and '.', and not digits-digits");
+    entries.push_back({id, &file});
+  }
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return id_before(a.id, b.id); });
+  for (std::size_t i = 1; i < entries.size(); ++i)
+    if (entries[i].id == entries[i - 1].id)
+      return fail("files " + entries[i - 1].file->name + " and " + entries[i].file->name + " give one id, '" + entries[i].id +
+                  "': choose one by 'pattern'");
+  for (const Entry& entry : entries) {
+    Source source;
+    source.kind = Source::Kind::file;
+    source.path = entry.file->path;
+    session_.add_child(output_, entry.id, session_.source_tree(source));
+  }
+  session_.complete(output_);
+}
+
+bool Rearrangement::keeps(std::size_t index, const std::string& id, bool& decided) {
+  const GraphNode& graph_node = session_.node(node_);
+  const auto number = [&](std::size_t param) { return static_cast<std::size_t>(std::get<std::int64_t>(graph_node.params[param])); };
+  decided = true;
+  switch (graph_node.info->structural) {
+    case Structural::slice:
+      return index >= number(0) && index < number(1);
+    case Structural::every:
+      return index >= number(1) && (index - number(1)) % number(0) == 0;
+    case Structural::select:
+      return ElementFilter(std::get<std::vector<std::string>>(graph_node.params[0])).admits(id);
+    case Structural::where:
+      return follow(inputs_[1][0]->sequence->children.at(index))->identity == identity_of_true();
+    default:
+      return true;
+  }
+}
+
+void Rearrangement::pass_through() {
+  const GraphNode& graph_node = session_.node(node_);
+  Tree* from = inputs_[0][0];
+  const Tree::Sequence& held = *from->sequence;
+  if (graph_node.info->structural == Structural::where) {
+    const Tree* flags = inputs_[1][0];
+    if (!from->settled || !flags->settled) return;
+    if (flags->broken || (!flags->sequence->children.empty() && follow(flags->sequence->children[0])->cheap)) {
+      done_ = true;
+      if (!flags->broken) {
+        session_.note_failure(graph_node.id + ": its flags come from a cheap node, whose values are not kept");
+        ++session_.counts_.failed;
+      }
+      return session_.fail_tree(output_);
+    }
+    if (held.ids != flags->sequence->ids) {
+      const auto odd = std::mismatch(held.ids.begin(), held.ids.end(), flags->sequence->ids.begin(), flags->sequence->ids.end());
+      done_ = true;
+      session_.note_failure(graph_node.id + ": inputs 'sequence' and 'flags' have different ids: the first odd one is '" +
+                            (odd.first != held.ids.end() ? *odd.first : *odd.second) + "'");
+      ++session_.counts_.failed;
+      return session_.fail_tree(output_);
+    }
+  }
+  for (; next_ < held.children.size(); ++next_) {
+    bool decided = false;
+    if (!keeps(next_, held.ids[next_], decided)) continue;
+    Tree* child = held.children[next_];
+    if (graph_node.info->structural == Structural::ids) {
+      child = session_.new_tree();
+      child->state = Tree::State::leaf;
+      child->source = true;
+      child->value = Value::of(held.ids[next_]);
+      Bytes bytes;
+      ByteWriter writer(bytes);
+      child->value.type().encode(child->value.data().get(), writer);
+      child->identity = digest_of(bytes);
+      child->has_identity = true;
+      child->settled = true;
+    }
+    session_.add_child(output_, held.ids[next_], child);
+  }
+  if (!held.complete) return;
+  done_ = true;
+  if (from->broken) output_->broken = true;
+  if (from->unknown) output_->unknown = true;
+  session_.complete(output_);
+}
+
+void Rearrangement::flatten() {
+  Tree* from = inputs_[0][0];
+  const Tree::Sequence& outer = *from->sequence;
+  while (next_ < outer.children.size()) {
+    Tree* inner = follow(outer.children[next_]);
+    if (inner->state == Tree::State::pending) return;
+    if (inner->state == Tree::State::sequence) {
+      for (; inner_ < inner->sequence->children.size(); ++inner_)
+        session_.add_child(output_, outer.ids[next_] + "." + inner->sequence->ids[inner_], inner->sequence->children[inner_]);
+      if (!inner->sequence->complete) {
+        session_.watch_growth(inner, this);
+        return;
+      }
+    } else {
+      output_->broken = true;
+    }
+    ++next_;
+    inner_ = 0;
+  }
+  if (!outer.complete) return;
+  done_ = true;
+  if (from->broken) output_->broken = true;
+  if (from->unknown) output_->unknown = true;
+  session_.complete(output_);
+}
+
+void Rearrangement::merge() {
+  struct Element {
+    std::string id;
+    Tree* tree;
+  };
+  std::vector<Element> elements;
+  bool broken = false, unknown = false;
+  for (Tree* tree : inputs_[0]) {
+    if (!tree->settled) return;
+    broken |= tree->broken;
+    unknown |= tree->unknown;
+    for (std::size_t i = 0; i < tree->sequence->ids.size(); ++i)
+      elements.push_back({tree->sequence->ids[i], tree->sequence->children[i]});
+  }
+  done_ = true;
+  std::stable_sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) { return id_before(a.id, b.id); });
+  for (std::size_t i = 1; i < elements.size(); ++i)
+    if (elements[i].id == elements[i - 1].id) {
+      session_.note_failure(session_.node(node_).id + ": two of its sequences have an element '" + elements[i].id + "'");
+      ++session_.counts_.failed;
+      return session_.fail_tree(output_);
+    }
+  for (const Element& element : elements) session_.add_child(output_, element.id, element.tree);
+  output_->broken |= broken;
+  output_->unknown |= unknown;
+  session_.complete(output_);
+}
+
+}  // namespace engine::run

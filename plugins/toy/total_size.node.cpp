@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/node.h"
+#include "plugins/toy/trials.h"
+using namespace engine::declare;
+
+NODE("toy.total_size", &toy::total_size, version{1},
+     doc{"Measures many large values."},
+     input{"blobs", "Large texts"},
+     output("size", "Their bytes"));
