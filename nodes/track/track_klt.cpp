@@ -89,6 +89,7 @@ bool is_seen(const Sighting& place) { return place.xx + place.yy > 0; }
 // Pyramidal KLT of all points from their guesses. Points of which it makes nothing are forgotten.
 std::vector<Sighting> flow(const cv::Mat& from, const cv::Mat& to, const std::vector<Sighting>& points,
                            const std::vector<Sighting>& guesses, const TrackKltOptions& options) {
+  if (points.empty()) return {};
   std::vector<cv::Point2f> a, b;
   for (const Sighting& p : points) a.emplace_back(static_cast<float>(p.x_px), static_cast<float>(p.y_px));
   for (const Sighting& p : guesses) b.emplace_back(static_cast<float>(p.x_px), static_cast<float>(p.y_px));
@@ -108,7 +109,7 @@ std::vector<Sighting> flow(const cv::Mat& from, const cv::Mat& to, const std::ve
 }
 
 // Takes the valid points of the previous frame to this one. Lost and implausible points come back forgotten.
-std::vector<Sighting> follow(const Grey& previous, const Grey& current, const Landmarks& start,
+std::vector<Sighting> follow(const Grey& previous, const Grey& current, const Landmarks& layout,
                              const TrackKltOptions& options, TrackKltResult& result) {
   const auto& points = result.landmarks.points;
   std::vector<Sighting> from;
@@ -121,14 +122,14 @@ std::vector<Sighting> follow(const Grey& previous, const Grey& current, const La
   // Points that went elsewhere than their neighbours get another try from where these say that they are.
   constexpr int tries = 3;
   for (int i = 0; i < tries; ++i) {
-    const std::vector<Sighting> guess = settle(start, to, options.stiffness);
+    const std::vector<Sighting> guess = settle(layout, to, options.stiffness);
     const std::vector<Sighting> again = flow(a, b, from, guess, options);
     for (std::size_t k = 0; k < to.size(); ++k) {
       const double off = std::hypot(to[k].x_px - guess[k].x_px, to[k].y_px - guess[k].y_px);
       if (is_seen(from[k]) && (!is_seen(to[k]) || off > 1)) to[k] = again[k];
     }
   }
-  const std::vector<Sighting> home = flow(b, a, to, to, options), settled = settle(start, to, options.stiffness);
+  const std::vector<Sighting> home = flow(b, a, to, to, options), settled = settle(layout, to, options.stiffness);
   for (std::size_t k = 0; k < to.size(); ++k) {
     if (!is_seen(to[k])) continue;
     const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
@@ -159,10 +160,10 @@ void anchor(const Grey& current, const Image& patches, const TrackKltOptions& op
 }
 
 // Looks for the lost points by their own patches, about where the others say that they are.
-void recover(const Grey& current, const Landmarks& start, const Image& patches, const TrackKltOptions& options,
+void recover(const Grey& current, const Landmarks& layout, const Image& patches, const TrackKltOptions& options,
              std::vector<Sighting>& sightings) {
   const int side = static_cast<int>(options.window_px);
-  const std::vector<Sighting> expected = settle(start, sightings, options.stiffness);
+  const std::vector<Sighting> expected = settle(layout, sightings, options.stiffness);
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     if (is_seen(sightings[i])) continue;
     const PatchMatch match =
@@ -177,12 +178,12 @@ void recover(const Grey& current, const Landmarks& start, const Image& patches, 
   }
 }
 
-void track(const Grey& previous, const Grey& current, const Landmarks& start, const TrackKltOptions& options,
+void track(const Grey& previous, const Grey& current, const Landmarks& layout, const TrackKltOptions& options,
            TrackKltResult& result) {
-  std::vector<Sighting> sightings = follow(previous, current, start, options, result);
+  std::vector<Sighting> sightings = follow(previous, current, layout, options, result);
   anchor(current, result.patches, options, sightings);
-  recover(current, start, result.patches, options, sightings);
-  const std::vector<Sighting> settled = settle(start, sightings, options.stiffness);
+  recover(current, layout, result.patches, options, sightings);
+  const std::vector<Sighting> settled = settle(layout, sightings, options.stiffness);
   for (std::size_t i = 0; i < settled.size(); ++i) {
     Landmark& point = result.landmarks.points[i];
     point.valid = is_seen(settled[i]) && inside(settled[i].x_px, settled[i].y_px, current.width, current.height);
@@ -190,7 +191,17 @@ void track(const Grey& previous, const Grey& current, const Landmarks& start, co
   }
 }
 
-void correct(const Landmarks& correction, const Grey& current, int side_px, TrackKltResult& result) {
+// Puts points where somebody says that they are. The layout learns by how much that differs from where the neighbours would
+// have put the point, so that the springs do not pull it back afterwards.
+void correct(const Landmarks& correction, const Grey& current, const TrackKltOptions& options, TrackKltResult& result) {
+  const int side_px = static_cast<int>(options.window_px);
+  std::vector<Sighting> others;
+  for (const Landmark& p : result.landmarks.points)
+    others.push_back(p.valid ? Sighting{p.x_px, p.y_px, 1, 0, 1} : Sighting{});
+  for (const Landmark& fixed : correction.points)
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (result.landmarks.points[i].name == fixed.name) forget(others[i]);
+  const std::vector<Sighting> expected = settle(result.layout, others, options.stiffness);
   for (const Landmark& fixed : correction.points) {
     auto& points = result.landmarks.points;
     const auto point = std::find_if(points.begin(), points.end(), [&](const Landmark& p) { return p.name == fixed.name; });
@@ -199,7 +210,10 @@ void correct(const Landmarks& correction, const Grey& current, int side_px, Trac
       fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ", current.width,
            " x ", current.height, " pixels");
     *point = {fixed.name, fixed.x_px, fixed.y_px, true};
-    keep_patch(current, *point, static_cast<std::size_t>(point - points.begin()), side_px, result.patches);
+    const auto index = static_cast<std::size_t>(point - points.begin());
+    keep_patch(current, *point, index, side_px, result.patches);
+    result.layout.points[index].x_px += fixed.x_px - expected[index].x_px;
+    result.layout.points[index].y_px += fixed.y_px - expected[index].y_px;
   }
 }
 
@@ -214,14 +228,14 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
   if (prior) {
     result = *prior;
     result.return_error_px = 0;
-    track(grey_of(frames[frames.centre_index() - 1]), current, start, options, result);
+    track(grey_of(frames[frames.centre_index() - 1]), current, prior->layout, options, result);
   } else {
-    result.landmarks = start;
+    result.landmarks = result.layout = start;
     result.patches = {side * static_cast<int>(start.points.size()), side, 1, {}};
     result.patches.pixels.assign(static_cast<std::size_t>(result.patches.width * side), 0);
     for (std::size_t i = 0; i < start.points.size(); ++i) keep_patch(current, start.points[i], i, side, result.patches);
   }
-  if (correction) correct(*correction, current, side, result);
+  if (correction) correct(*correction, current, options, result);
   result.lost = static_cast<double>(std::count_if(result.landmarks.points.begin(), result.landmarks.points.end(),
                                                   [](const Landmark& p) { return !p.valid; }));
   return result;

@@ -11,7 +11,7 @@ namespace face::track {
 struct TrackKltOptions {
   std::int64_t window_px = 15;       // side of the patch that is followed, odd
   std::int64_t levels = 3;           // of the pyramid, above the image itself
-  double stiffness = 1;              // of the springs between neighbours; 0 follows every point alone
+  double stiffness = 0.5;            // of the springs between neighbours; 0 follows every point alone
   double max_return_error_px = 1;    // a point followed there and back must come home this close
   double max_offset_px = 2;          // from where its neighbours say that it is, in the direction in which it is seen well
   double min_likeness = 0.8;         // correlation with a point's own patch that counts as seeing it again
@@ -20,9 +20,10 @@ struct TrackKltOptions {
 };
 
 struct TrackKltResult {
-  Landmarks landmarks;      // in the order of the start points
-  Image patches;            // grey; the patch of every point where it was last placed by hand, side by side
-  double lost = 0;          // points that are not valid in this frame
+  Landmarks landmarks;         // in the order of the start points
+  Landmarks layout;            // the start points with what corrections said: how the points lie to each other at rest
+  Image patches;               // grey; the patch of every point where it was last placed by hand, side by side
+  double lost = 0;             // points that are not valid in this frame
   double return_error_px = 0;  // largest there-and-back error of the points that were kept
 };
 

@@ -26,6 +26,7 @@ NODE("track.klt", &track_klt, version{1},
            "How far a point may be moved to its own patch"),
      param("search_px", &TrackKltOptions::search_px, range{0, 200}, unit{"px"}, "How far a lost point is looked for"),
      output("landmarks", &TrackKltResult::landmarks, "The points of each frame"),
+     output("layout", &TrackKltResult::layout, "How the points lie to each other at rest"),
      output("patches", &TrackKltResult::patches, "Every point's own patch, side by side"),
      output("lost", &TrackKltResult::lost, "Number of points that are not valid"),
      output("return_error_px", &TrackKltResult::return_error_px, "Largest there-and-back error of the kept points"));

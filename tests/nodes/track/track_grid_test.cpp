@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The six clips of the real material, from the film to the points.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nodes/decode/read_landmarks.h"
+#include "nodes/decode/read_video.h"
+#include "nodes/track/track_klt.h"
+#include "tests/support/data.h"
+
+using namespace face;
+
+namespace {
+
+struct Tracked {
+  std::vector<track::TrackKltResult> frames;
+  Landmarks start;
+};
+
+Tracked track_clip(const std::string& video, const std::string& points) {
+  Tracked out;
+  out.start = decode::read_landmarks(engine::File::at(points)).landmarks;
+  std::shared_ptr<const Image> before;
+  engine::SeqWriter<Image> writer([&](const std::string&, Image image) {
+    auto now = std::make_shared<const Image>(std::move(image));
+    const engine::Window<Image> window = before ? engine::Window<Image>({before, now}, 1) : engine::Window<Image>({now}, 0);
+    engine::Prior<track::TrackKltResult> prior;
+    if (before) prior = engine::Prior<track::TrackKltResult>(std::make_shared<const track::TrackKltResult>(out.frames.back()));
+    out.frames.push_back(track::track_klt(window, out.start, nullptr, prior));
+    before = std::move(now);
+  });
+  engine::Progress progress;
+  decode::read_video(engine::File::at(video), writer, progress);
+  return out;
+}
+
+double distance_px(const Landmarks& points, std::size_t a, std::size_t b) {
+  return std::hypot(points.points[a].x_px - points.points[b].x_px, points.points[a].y_px - points.points[b].y_px);
+}
+
+class TrackGrid : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(TrackGrid, KeepsThePointsOnTheFaceThroughAllFrames) {
+  DATA_FILE(video, std::string("grid/") + GetParam() + ".mpg");
+  DATA_FILE(points, std::string("grid/") + GetParam() + ".landmarks.json");
+  const Tracked tracked = track_clip(video, points);
+  ASSERT_EQ(tracked.frames.size(), 75u);
+  const std::size_t eye_r = 0, eye_l = 1, lip_0 = 3, lip_6 = 9;
+  const double eyes = distance_px(tracked.start, eye_r, eye_l), mouth = distance_px(tracked.start, lip_0, lip_6);
+  double lost = 0;
+  for (const auto& frame : tracked.frames) {
+    lost += frame.lost;
+    const auto& p = frame.landmarks.points;
+    if (p[eye_r].valid && p[eye_l].valid) {
+      EXPECT_NEAR(distance_px(frame.landmarks, eye_r, eye_l), eyes, 3);  // the heads turn a little
+    }
+    if (p[lip_0].valid && p[lip_6].valid) {
+      const double width = distance_px(frame.landmarks, lip_0, lip_6) / mouth;
+      EXPECT_GT(width, 0.65);  // pucker
+      EXPECT_LT(width, 1.3);   // grin
+    }
+    // The outline of the lips stays in order: upper lip points from left to right, and above the lower ones.
+    for (std::size_t i = lip_0; i < lip_6; ++i)
+      if (p[i].valid && p[i + 1].valid) {
+        EXPECT_GT(p[i + 1].x_px, p[i].x_px) << p[i].name;
+      }
+    if (p[6].valid && p[12].valid) {
+      EXPECT_GT(p[12].y_px, p[6].y_px + 2);  // lip_9 below lip_3
+    }
+  }
+  EXPECT_LE(lost / (75 * 18), 0.03);  // measured: 0.004 to 0.026
+}
+
+INSTANTIATE_TEST_SUITE_P(Clips, TrackGrid, testing::Values("bbaf2n", "brbk7n", "lbax4n", "lrwp9a", "pwij3p", "swwp2s"),
+                         [](const auto& clip) { return std::string(clip.param); });
