@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "nodes/base/check.h"
@@ -21,6 +22,10 @@ struct Snapped {
   float inverse_depth = 0;  // 0 marks a vertex that cannot be drawn
 };
 
+struct Box {
+  int x0, y0, x1, y1;  // inclusive
+};
+
 // The value of an edge function at a pixel centre and its steps from pixel to pixel; inside means >= 0.
 template <class Int>
 struct Edge {
@@ -33,7 +38,9 @@ struct Edge {
 // formula. A pixel centre exactly on the edge counts when the edge is a left one (the interior lies to larger x, so
 // E grows with x) or a top one (horizontal, interior below).
 template <class Int>
-Edge<Int> edge(const Snapped& a, const Snapped& b, std::int64_t x, std::int64_t y) {
+Edge<Int> edge(const Snapped& a, const Snapped& b, const Box& box) {
+  const std::int64_t x = box.x0 * subpixels;
+  const std::int64_t y = box.y0 * subpixels;
   const std::int64_t dx = b.x - a.x;
   const std::int64_t dy = b.y - a.y;
   const std::int64_t value = dx * (y - a.y) - dy * (x - a.x);
@@ -42,32 +49,67 @@ Edge<Int> edge(const Snapped& a, const Snapped& b, std::int64_t x, std::int64_t 
           static_cast<Int>(dx * subpixels)};
 }
 
-struct Box {
-  int x0, y0, x1, y1;  // inclusive
+// A triangle ready to be filled: 1 / depth as a plane over the picture, and its number.
+struct Filling {
+  Box box;
+  float plane_value, plane_x, plane_y;
+  std::int32_t id;
 };
 
-template <class Int>
-void fill(const Snapped& a, const Snapped& b, const Snapped& c, const Box& box, float plane_value, float plane_x,
-          float plane_y, std::int32_t id, Raster& raster) {
-  const std::int64_t x = box.x0 * subpixels;
-  const std::int64_t y = box.y0 * subpixels;
-  Edge<Int> e0 = edge<Int>(b, c, x, y);
-  Edge<Int> e1 = edge<Int>(c, a, x, y);
-  Edge<Int> e2 = edge<Int>(a, b, x, y);
-  const int count = box.x1 - box.x0 + 1;
-  for (int row = box.y0; row <= box.y1; ++row) {
-    const std::size_t start = raster.index(box.x0, row);
-    float* __restrict depth = raster.inverse_depth_per_mm.data() + start;
-    std::int32_t* __restrict ids = raster.triangles.data() + start;
-    const float row_value = plane_value + plane_y * static_cast<float>(row);
-    for (int i = 0; i < count; ++i) {
-      const Int step = static_cast<Int>(i);
-      const Int inside = (e0.value + e0.step_x * step) | (e1.value + e1.step_x * step) | (e2.value + e2.step_x * step);
-      const float z = row_value + plane_x * static_cast<float>(box.x0 + i);
-      if (inside >= 0 && z > depth[i]) {
-        depth[i] = z;
-        ids[i] = id;
+// Pixel by pixel, for triangles of any size.
+void fill_wide(const Snapped& a, const Snapped& b, const Snapped& c, const Filling& f, Raster& raster) {
+  Edge<std::int64_t> e0 = edge<std::int64_t>(b, c, f.box), e1 = edge<std::int64_t>(c, a, f.box),
+                     e2 = edge<std::int64_t>(a, b, f.box);
+  for (int row = f.box.y0; row <= f.box.y1; ++row) {
+    const float row_value = f.plane_value + f.plane_y * static_cast<float>(row);
+    for (int x = f.box.x0; x <= f.box.x1; ++x) {
+      const std::int64_t step = x - f.box.x0;
+      const std::size_t pixel = raster.index(x, row);
+      const float z = row_value + f.plane_x * static_cast<float>(x);
+      const bool inside = ((e0.value + e0.step_x * step) | (e1.value + e1.step_x * step) | (e2.value + e2.step_x * step)) >= 0;
+      if (inside && z > raster.inverse_depth_per_mm[pixel]) {
+        raster.inverse_depth_per_mm[pixel] = z;
+        raster.triangles[pixel] = f.id;
       }
+    }
+    e0.value += e0.step_y;
+    e1.value += e1.step_y;
+    e2.value += e2.step_y;
+  }
+}
+
+constexpr int lanes = 8;
+using Ints = std::int32_t __attribute__((vector_size(4 * lanes)));
+using Floats = float __attribute__((vector_size(4 * lanes)));
+constexpr Ints lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+
+template <class V, class T>
+V load(const T* place) {
+  V value;
+  std::memcpy(&value, place, sizeof value);
+  return value;
+}
+
+// Eight pixels of a row at once; lanes right of the box keep what they hold. The compiler's vector types: no intrinsics,
+// same arithmetic as fill_wide.
+void fill_narrow(const Snapped& a, const Snapped& b, const Snapped& c, const Filling& f, Raster& raster) {
+  Edge<std::int32_t> e0 = edge<std::int32_t>(b, c, f.box), e1 = edge<std::int32_t>(c, a, f.box),
+                     e2 = edge<std::int32_t>(a, b, f.box);
+  for (int row = f.box.y0; row <= f.box.y1; ++row) {
+    const float row_value = f.plane_value + f.plane_y * static_cast<float>(row);
+    float* depths = raster.inverse_depth_per_mm.data() + raster.index(0, row);
+    std::int32_t* ids = raster.triangles.data() + raster.index(0, row);
+    for (int x = f.box.x0; x <= f.box.x1; x += lanes) {
+      const Ints step = lane_numbers + (x - f.box.x0);
+      const Ints edges = (e0.value + e0.step_x * step) | (e1.value + e1.step_x * step) | (e2.value + e2.step_x * step);
+      const Ints inside = (edges >= 0) & (lane_numbers <= f.box.x1 - x);
+      const Floats z = row_value + f.plane_x * __builtin_convertvector(lane_numbers + x, Floats);
+      const auto depth = load<Floats>(depths + x);
+      const Ints drawn = inside & (z > depth);
+      const Floats new_depth = drawn ? z : depth;
+      const Ints new_ids = drawn ? Ints{} + f.id : load<Ints>(ids + x);
+      std::memcpy(depths + x, &new_depth, sizeof new_depth);
+      std::memcpy(ids + x, &new_ids, sizeof new_ids);
     }
     e0.value += e0.step_y;
     e1.value += e1.step_y;
@@ -115,15 +157,18 @@ void draw(Snapped a, Snapped b, Snapped c, Culling culling, std::int32_t id, Ras
   const double slope_x = (bz * cy - cz * by) * inverse_area;
   const double slope_y = (cz * bx - bz * cx) * inverse_area;
   const double origin = a.inverse_depth - slope_x * a.x * scale - slope_y * a.y * scale;
-  // 32-bit edge functions do eight pixels at once; they suffice unless the triangle and its box span > 90 pixels or so.
+  const Filling filling = {box, static_cast<float>(origin), static_cast<float>(slope_x), static_cast<float>(slope_y), id};
+  // 32-bit edge functions suffice unless the triangle spans more than 110 pixels or so; the lanes may stick out of the
+  // box by seven. At the very end of the picture they would stick out of memory.
   const std::int64_t spread = std::max({std::abs(a.x - b.x), std::abs(b.x - c.x), std::abs(c.x - a.x),
                                         std::abs(a.y - b.y), std::abs(b.y - c.y), std::abs(c.y - a.y)}) +
-                              2 * subpixels;
-  const auto value = static_cast<float>(origin), sx = static_cast<float>(slope_x), sy = static_cast<float>(slope_y);
-  if (2 * spread * spread < std::numeric_limits<std::int32_t>::max())
-    fill<std::int32_t>(a, b, c, box, value, sx, sy, id, raster);
+                              (lanes + 2) * subpixels;
+  const bool small = 2 * spread * spread < std::numeric_limits<std::int32_t>::max();
+  const bool in_memory = raster.index(box.x1, box.y1) + lanes <= raster.triangles.size();
+  if (small && in_memory)
+    fill_narrow(a, b, c, filling, raster);
   else
-    fill<std::int64_t>(a, b, c, box, value, sx, sy, id, raster);
+    fill_wide(a, b, c, filling, raster);
 }
 
 }  // namespace
@@ -154,21 +199,6 @@ Raster rasterize(const std::vector<ScreenPoint>& points, const std::vector<Trian
   Raster raster;
   rasterize_into(points, triangles, options, raster);
   return raster;
-}
-
-Vec3f barycentrics_at(const std::vector<ScreenPoint>& points, const Triangle& triangle, float x_px, float y_px) {
-  const ScreenPoint& a = points[triangle[0]];
-  const ScreenPoint& b = points[triangle[1]];
-  const ScreenPoint& c = points[triangle[2]];
-  // Areas of the three sub-triangles, each over its vertex's depth (Heckbert and Moreton, Interpolation for Polygon
-  // Texture Mapping and Shading, 1991): linear in the picture after division by depth.
-  const float wa = ((b.x_px - x_px) * (c.y_px - y_px) - (b.y_px - y_px) * (c.x_px - x_px)) / a.depth_mm;
-  const float wb = ((c.x_px - x_px) * (a.y_px - y_px) - (c.y_px - y_px) * (a.x_px - x_px)) / b.depth_mm;
-  const float wc = ((a.x_px - x_px) * (b.y_px - y_px) - (a.y_px - y_px) * (b.x_px - x_px)) / c.depth_mm;
-  const float sum = wa + wb + wc;
-  if (sum == 0) return {1, 0, 0};
-  const float inverse = 1.0f / sum;
-  return {wa * inverse, wb * inverse, wc * inverse};
 }
 
 std::vector<Vec3f> barycentrics_of(const Raster& raster, const std::vector<ScreenPoint>& points,

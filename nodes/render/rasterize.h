@@ -54,7 +54,20 @@ void rasterize_into(const std::vector<ScreenPoint>& points, const std::vector<Tr
 
 // Perspective-correct barycentric coordinates of a pixel position in a triangle: an attribute there is
 // sum_i b[i] * attribute[triangle[i]]. They sum to 1; outside the triangle some are negative.
-Vec3f barycentrics_at(const std::vector<ScreenPoint>& points, const Triangle& triangle, float x_px, float y_px);
+inline Vec3f barycentrics_at(const std::vector<ScreenPoint>& points, const Triangle& triangle, float x_px, float y_px) {
+  const ScreenPoint& a = points[triangle[0]];
+  const ScreenPoint& b = points[triangle[1]];
+  const ScreenPoint& c = points[triangle[2]];
+  // Areas of the three sub-triangles, each over its vertex's depth (Heckbert and Moreton, Interpolation for Polygon
+  // Texture Mapping and Shading, 1991): linear in the picture after division by depth.
+  const float wa = ((b.x_px - x_px) * (c.y_px - y_px) - (b.y_px - y_px) * (c.x_px - x_px)) / a.depth_mm;
+  const float wb = ((c.x_px - x_px) * (a.y_px - y_px) - (c.y_px - y_px) * (a.x_px - x_px)) / b.depth_mm;
+  const float wc = ((a.x_px - x_px) * (b.y_px - y_px) - (a.y_px - y_px) * (b.x_px - x_px)) / c.depth_mm;
+  const float sum = wa + wb + wc;
+  if (sum == 0) return {1, 0, 0};
+  const float inverse = 1.0f / sum;
+  return {wa * inverse, wb * inverse, wc * inverse};
+}
 
 // barycentrics_at for every covered pixel (0 elsewhere), as analysis by synthesis wants them.
 std::vector<Vec3f> barycentrics_of(const Raster& raster, const std::vector<ScreenPoint>& points,

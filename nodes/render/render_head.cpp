@@ -121,26 +121,17 @@ Shaded shade_sample(const Scene& scene, const Triangulation& mesh, const std::ve
   const Triangle& triangle = mesh.triangles[t];
   const Scene::Material& material = scene.materials[mesh.parts[t]];
   const Vec3f b = barycentrics_at(screen, triangle, static_cast<float>(x), static_cast<float>(y));
-  const auto mix = [&](const std::vector<Vec3f>& values) {
-    const Vec3f &p = values[triangle[0]], &q = values[triangle[1]], &r = values[triangle[2]];
-    return Vec3f{b[0] * p[0] + b[1] * q[0] + b[2] * r[0], b[0] * p[1] + b[1] * q[1] + b[2] * r[1],
-                 b[0] * p[2] + b[1] * q[2] + b[2] * r[2]};
-  };
-  const auto mix_scalar = [&](const std::vector<float>& values) {
-    return b[0] * values[triangle[0]] + b[1] * values[triangle[1]] + b[2] * values[triangle[2]];
-  };
-  Surface surface;
-  surface.position_mm = mix(scene.points_mm);
-  surface.normal = mix(scene.normals);
-  surface.albedo = material.albedo;
-  if (!scene.tint.empty()) {
-    const Vec3f tint = mix(scene.tint);
-    for (std::size_t c = 0; c < 3; ++c) surface.albedo[c] *= tint[c];
+  const VertexLook &p = scene.looks[triangle[0]], &q = scene.looks[triangle[1]], &r = scene.looks[triangle[2]];
+  const VertexLook::Four light = b[0] * p.light + b[1] * q.light + b[2] * r.light;
+  const VertexLook::Four normal = b[0] * p.normal + b[1] * q.normal + b[2] * r.normal;
+  const VertexLook::Four view = b[0] * p.view_mm + b[1] * q.view_mm + b[2] * r.view_mm;
+  Vec3f colour;
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = light[c] * material.albedo[c] + view[3];
+  if (material.gloss > soft_gloss) {
+    const Vec3f mirrored = highlights({normal[0], normal[1], normal[2]}, {view[0], view[1], view[2]}, material.gloss);
+    for (std::size_t c = 0; c < 3; ++c) colour[c] += light[3] * mirrored[c];
   }
-  surface.gloss = material.gloss;
-  surface.scatter = material.scatter;
-  surface.exposure = mix_scalar(scene.exposure);
-  return {shade(surface, scene.eye_mm), mix_scalar(scene.opacity)};
+  return {colour, normal[3]};
 }
 
 struct Pictures {
@@ -158,11 +149,15 @@ bool lash_covers(const Pictures& pictures, int x, int y) {
          pictures.opaque.inverse_depth_per_mm[pictures.opaque.index(x, y)];
 }
 
-Vec3f sample_colour(const Pictures& pictures, int x, int y) {
+Vec3f opaque_colour(const Pictures& pictures, int x, int y) {
   const Scene& scene = pictures.scene;
   const std::int32_t triangle = pictures.opaque.triangles[pictures.opaque.index(x, y)];
-  Vec3f colour = pictures.background;
-  if (triangle >= 0) colour = shade_sample(scene, scene.opaque, scene.screen, triangle, x, y).colour;
+  return triangle < 0 ? pictures.background : shade_sample(scene, scene.opaque, scene.screen, triangle, x, y).colour;
+}
+
+Vec3f sample_colour(const Pictures& pictures, int x, int y) {
+  const Scene& scene = pictures.scene;
+  Vec3f colour = opaque_colour(pictures, x, y);
   if (lash_covers(pictures, x, y)) {
     const Overlay& overlay = pictures.lashes;
     const Shaded lash = shade_sample(scene, scene.lashes, overlay.screen, overlay.triangle_at(x, y), x - overlay.x0,
@@ -177,20 +172,37 @@ Vec3f sample_colour(const Pictures& pictures, int x, int y) {
 // Samples that see the same part at nearly the same depth differ by little: they are shaded once, at the first one.
 bool alike(const Pictures& pictures, int x, int y, int n) {
   const Raster& raster = pictures.opaque;
-  const std::vector<std::uint16_t>& parts = pictures.scene.opaque.parts;
+  const std::uint16_t* parts = pictures.scene.opaque.parts.data();
   const std::size_t first = raster.index(x, y);
   const std::int32_t triangle = raster.triangles[first];
-  const float depth = raster.inverse_depth_per_mm[first];
+  const float depth = raster.inverse_depth_per_mm[first], tolerance = 0.002f * depth;
+  bool same = true;
+  for (int j = 0; j < n; ++j) {
+    const std::size_t row = raster.index(x, y + j);
+    for (std::size_t sample = row; sample < row + static_cast<std::size_t>(n); ++sample)
+      same = same && std::abs(raster.inverse_depth_per_mm[sample] - depth) <= tolerance &&
+             (triangle < 0 || parts[raster.triangles[sample]] == parts[triangle]);
+  }
+  return same;  // where nothing is seen, depths of 0 tell it
+}
+
+bool near_lashes(const Pictures& pictures, int x, int y, int n) {
+  const Overlay& lashes = pictures.lashes;
+  return y + n > lashes.y0 && y < lashes.y0 + lashes.raster.height_px && x + n > lashes.x0 &&
+         x < lashes.x0 + lashes.raster.width_px;
+}
+
+// Mean of a pixel's samples.
+Vec3f pixel_colour(const Pictures& pictures, int x, int y, int n) {
+  if (!near_lashes(pictures, x, y, n) && alike(pictures, x, y, n)) return opaque_colour(pictures, x, y);
+  Vec3f sum = {0, 0, 0};
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      const std::size_t sample = raster.index(x + i, y + j);
-      const std::int32_t other = raster.triangles[sample];
-      if ((other < 0) != (triangle < 0)) return false;
-      if (triangle >= 0 && parts[static_cast<std::size_t>(other)] != parts[static_cast<std::size_t>(triangle)]) return false;
-      if (std::abs(raster.inverse_depth_per_mm[sample] - depth) > 0.002f * depth) return false;
-      if (pictures.lashes.triangle_at(x + i, y + j) >= 0) return false;
+      const Vec3f colour = sample_colour(pictures, x + i, y + j);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
     }
-  return true;
+  for (float& channel : sum) channel /= static_cast<float>(n * n);
+  return sum;
 }
 
 Image resolve(const Pictures& pictures, const SrgbTable& srgb, const RenderHeadOptions& options) {
@@ -200,15 +212,8 @@ Image resolve(const Pictures& pictures, const SrgbTable& srgb, const RenderHeadO
   std::uint8_t* out = image.pixels.data();
   for (int y = 0; y < options.height_px; ++y)
     for (int x = 0; x < options.width_px; ++x, out += 3) {
-      Vec3f sum = {0, 0, 0};
-      const int count = alike(pictures, x * n, y * n, n) ? 1 : n;
-      for (int j = 0; j < count; ++j)
-        for (int i = 0; i < count; ++i) {
-          const Vec3f colour = sample_colour(pictures, x * n + i, y * n + j);
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c];
-        }
-      const float scale = 1.0f / static_cast<float>(count * count);
-      for (std::size_t c = 0; c < 3; ++c) out[c] = srgb.encoded(sum[c] * scale);
+      const Vec3f colour = pixel_colour(pictures, x * n, y * n, n);
+      for (std::size_t c = 0; c < 3; ++c) out[c] = srgb.encoded(colour[c]);
     }
   return image;
 }
@@ -248,6 +253,7 @@ Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOption
   raster_options.culling = Culling::none;
   const Raster opaque = rasterize(scene.screen, scene.opaque.triangles, raster_options);
   add_screen_occlusion(opaque, camera, scene);
+  light_scene(scene);
   const Overlay lashes = draw_lashes(scene, raster_options);
   const Vec3f background = {srgb.linear(static_cast<float>(options.background_red)),
                             srgb.linear(static_cast<float>(options.background_green)),

@@ -102,7 +102,8 @@ Scene make_scene(const Rig& rig, const Weights& weights, const Camera& camera, c
 }
 
 void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& scene) {
-  constexpr std::array<float, 4> radii_mm = {2.5f, 6.0f, 13.0f, 26.0f};
+  constexpr std::array<float, 3> radii_mm = {3.5f, 9.0f, 22.0f};
+  constexpr float hidden_mm = 2.5f;  // a vertex this far behind what is seen is not seen
   constexpr float bias = 0.12f;      // of the cosine: a plane or a sphere does not darken itself
   constexpr float strength = 2.6f;
   constexpr float darkest = 0.35f;
@@ -119,6 +120,12 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
     const Vec3f normal = {r[0] * n[0] + r[1] * n[1] + r[2] * n[2], r[3] * n[0] + r[4] * n[1] + r[5] * n[2],
                           r[6] * n[0] + r[7] * n[1] + r[8] * n[2]};
     if (normal[2] < -0.2f || !(at.depth_mm > 0)) continue;
+    const auto seen = [&](float x, float y) {  // 1 / depth of what is seen there, 0 for nothing
+      const int column = static_cast<int>(x + 0.5f), row = static_cast<int>(y + 0.5f);
+      if (!(x >= 0 && y >= 0) || column >= raster.width_px || row >= raster.height_px) return 0.0f;
+      return raster.inverse_depth_per_mm[raster.index(column, row)];
+    };
+    if (seen(at.x_px, at.y_px) * (at.depth_mm - hidden_mm) > 1.0f) continue;
     const float mm_per_px = at.depth_mm / camera.focal_px;
     float sum = 0;
     for (std::size_t ring = 0; ring < radii_mm.size(); ++ring) {
@@ -126,9 +133,7 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
       for (std::size_t i = 0; i < 6; ++i) {
         const auto& direction = directions[(ring % 2) * 6 + i];
         const float x = at.x_px + radius_px * direction[0], y = at.y_px + radius_px * direction[1];
-        const int column = static_cast<int>(x + 0.5f), row = static_cast<int>(y + 0.5f);
-        if (!(x >= 0 && y >= 0) || column >= raster.width_px || row >= raster.height_px) continue;
-        const float inverse = raster.inverse_depth_per_mm[raster.index(column, row)];
+        const float inverse = seen(x, y);
         if (inverse == 0) continue;
         const float depth = 1.0f / inverse;
         const float scale = depth / camera.focal_px;
@@ -141,7 +146,31 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
         sum += std::max(0.0f, cosine - bias) * reach / (reach + 0.5f * squared);
       }
     }
-    scene.exposure[v] = std::max(darkest, 1.0f - strength * sum / 24.0f);
+    scene.exposure[v] = std::max(darkest, 1.0f - strength * sum / 18.0f);
+  }
+}
+
+void light_scene(Scene& scene) {
+  // A vertex has the material of the last triangle that uses it: at the border of skin and mouth that is as good as any.
+  std::vector<std::uint16_t> material_of(scene.points_mm.size(), 0);
+  for (const Triangulation* mesh : {&scene.opaque, &scene.lashes})
+    for (std::size_t t = 0; t < mesh->triangles.size(); ++t)
+      for (const std::uint32_t v : mesh->triangles[t]) material_of[v] = mesh->parts[t];
+  scene.looks.resize(scene.points_mm.size());
+  for (std::size_t v = 0; v < scene.looks.size(); ++v) {
+    const Vec3f& n = scene.normals[v];
+    const Vec3f& p = scene.points_mm[v];
+    const Scene::Material& material = scene.materials[material_of[v]];
+    const Vec3f view = {scene.eye_mm[0] - p[0], scene.eye_mm[1] - p[1], scene.eye_mm[2] - p[2]};
+    const Vec3f light = diffuse_light(n, material.scatter);
+    const Vec3f tint = scene.tint.empty() ? Vec3f{1, 1, 1} : scene.tint[v];
+    const float exposure = scene.exposure[v];
+    VertexLook& look = scene.looks[v];
+    using Four = VertexLook::Four;
+    look.light = Four{light[0] * tint[0], light[1] * tint[1], light[2] * tint[2], 1} * exposure;
+    look.normal = Four{n[0], n[1], n[2], scene.opacity[v]};
+    const bool soft = material.gloss > 0 && material.gloss <= soft_gloss && dot(n, view) > 0;
+    look.view_mm = Four{view[0], view[1], view[2], soft ? exposure * highlights(n, view, material.gloss)[1] : 0.0f};
   }
 }
 
