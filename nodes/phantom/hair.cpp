@@ -59,6 +59,9 @@ ChartPoint along_lock(double angle, double distance) {
                   (right * std::cos(turned) + up * std::sin(turned)) * std::sin(distance));
 }
 
+// Clockwise from outside, so that the grid's polygons face out.
+double lock_angle(std::uint32_t column) { return -2 * kPi * column / kHairColumns; }
+
 double lock_length(double angle) {
   double distance = 0.2;
   while (distance < 2.6) {
@@ -82,7 +85,7 @@ void add_hair(HeadBuilder& head) {
   head.begin_part("hair", {1, 1, 1}, 0.3);
   const std::uint32_t first = head.vertex_count();
   std::array<double, kHairColumns> lengths;
-  for (std::uint32_t c = 0; c < kHairColumns; ++c) lengths[c] = lock_length(2 * kPi * c / kHairColumns);
+  for (std::uint32_t c = 0; c < kHairColumns; ++c) lengths[c] = lock_length(lock_angle(c));
   for (std::uint32_t r = 0; r < kHairRows; ++r)
     for (std::uint32_t c = 0; c < kHairColumns; ++c) {
       const double in_lock = std::cos(2 * kPi * c / kColumnsPerLock);  // 1 on the ridge of a lock, -1 between two
@@ -91,7 +94,7 @@ void add_hair(HeadBuilder& head) {
       const double t = std::min(1.0, (r + 1) / (kHairRows - 2.0));
       const double tip = 0.038 * (in_lock + 0.7 * unlike);
       const double distance = (lengths[c] + tip) * (1 - square(1 - t) * 0.25 - (1 - t) * 0.70);
-      const ChartPoint at = along_lock(2 * kPi * c / kHairColumns, distance);
+      const ChartPoint at = along_lock(lock_angle(c), distance);
       const Vector3 skull = skull_point(at);
       const double front = smooth_step(70, 25, std::abs(at.azimuth_deg)) * smooth_step(80, 60, at.elevation_deg);
       double height = lerp(8.5, 4.0, smooth_step(0.5, 1, t)) + 1.5 * front;
