@@ -145,14 +145,19 @@ std::vector<Sighting> follow(const Grey& previous, const Grey& current, const La
 }
 
 // Moves points onto their own patches where these are seen again. Fades in, so that a patch that comes and goes does not make
-// the point jump.
-void anchor(const Grey& current, const Image& patches, const TrackKltOptions& options, std::vector<Sighting>& sightings) {
+// the point jump. Rigid points of which the patch is not seen are forgotten.
+void anchor(const Grey& current, const TrackKltResult& before, const TrackKltOptions& options,
+            std::vector<Sighting>& sightings) {
   const int side = static_cast<int>(options.window_px);
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     Sighting& seen = sightings[i];
     if (!is_seen(seen)) continue;
-    const PatchMatch match = align_patch(patch_of(patches, i, side), side, current, seen.x_px, seen.y_px);
-    if (!match.converged || std::hypot(match.x_px - seen.x_px, match.y_px - seen.y_px) > options.max_anchor_px) continue;
+    const PatchMatch match = align_patch(patch_of(before.patches, i, side), side, current, seen.x_px, seen.y_px);
+    const bool near = match.converged && std::hypot(match.x_px - seen.x_px, match.y_px - seen.y_px) <= options.max_anchor_px;
+    const auto& name = before.landmarks.points[i].name;
+    const bool rigid = std::find(options.rigid.begin(), options.rigid.end(), name) != options.rigid.end();
+    if (rigid && !(near && match.likeness >= options.min_likeness)) forget(seen);
+    if (!near) continue;
     const double share = std::clamp((match.likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
     seen.x_px += share * (match.x_px - seen.x_px);
     seen.y_px += share * (match.y_px - seen.y_px);
@@ -181,7 +186,7 @@ void recover(const Grey& current, const Landmarks& layout, const Image& patches,
 void track(const Grey& previous, const Grey& current, const Landmarks& layout, const TrackKltOptions& options,
            TrackKltResult& result) {
   std::vector<Sighting> sightings = follow(previous, current, layout, options, result);
-  anchor(current, result.patches, options, sightings);
+  anchor(current, result, options, sightings);
   recover(current, layout, result.patches, options, sightings);
   const std::vector<Sighting> settled = settle(layout, sightings, options.stiffness);
   for (std::size_t i = 0; i < settled.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "engine/port.h"
 #include "nodes/types/image.h"
@@ -16,6 +18,7 @@ struct TrackKltOptions {
   double max_offset_px = 2;          // from where its neighbours say that it is, in the direction in which it is seen well
   double min_likeness = 0.8;         // correlation with a point's own patch that counts as seeing it again
   double max_anchor_px = 1.5;        // how far a point may be moved to its own patch
+  std::vector<std::string> rigid = {"eye_inner_r", "eye_inner_l", "nose_tip"};  // points that always look alike
   double search_px = 5;              // how far from where it should be a lost point is looked for
 };
 
@@ -37,7 +40,8 @@ struct TrackKltResult {
 // neighbours, is not valid and keeps its last good place; it is looked for again in every later frame, near where the other
 // points say that it is, by the patch that it had where it was last placed by hand.
 // Differs from plain KLT: points on contours are kept from sliding along them (settle.h), and against drift a point whose own
-// patch is seen again near its place goes there.
+// patch is seen again near its place goes there. A rigid point is valid only while its own patch is seen: the corner of an
+// eye would follow the closing lid otherwise.
 TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
                          const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options = {});
 
