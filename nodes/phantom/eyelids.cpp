@@ -10,8 +10,8 @@
 namespace face::phantom {
 namespace {
 
-constexpr double kOuterReach = 16.6, kInnerReach = 15.0;  // corners from the eye's centre, mm
-constexpr double kUpperHeight = 6.1, kLowerHeight = 5.5;  // of the opening, above and below the line of the corners
+constexpr double kOuterReach = 17.6, kInnerReach = 16.0;  // corners from the eye's centre, mm
+constexpr double kUpperHeight = 7.1, kLowerHeight = 5.8;  // of the opening, above and below the line of the corners
 constexpr double kOuterRise = 1.0;                        // the outer corner lies above the inner one
 constexpr double kOuterZ = 83.5, kInnerZ = 89.5;
 

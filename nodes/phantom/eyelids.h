@@ -5,8 +5,8 @@
 namespace face::phantom {
 
 // The left eyeball.
-inline constexpr Vector3 kEyeCentre = {31, 30, 79.2};
-inline constexpr double kEyeRadius = 15.4;
+inline constexpr Vector3 kEyeCentre = {31, 30, 78.4};
+inline constexpr double kEyeRadius = 16.4;
 
 // 1 at the outer corner, -1 at the inner one.
 double lid_position(int column);

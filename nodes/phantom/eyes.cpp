@@ -11,8 +11,8 @@ namespace {
 
 // Angles from the line of sight: pupil, iris and the border to the white, in degrees. The pairs close together keep the
 // colours' borders crisp, as colours live on vertices.
-constexpr std::array<double, 9> kIrisAngles = {0, 6, 11.0, 11.8, 15, 19, 23, 25.8, 27.0};
-constexpr std::array<double, 14> kWhiteAngles = {27.0, 28.2, 31, 35, 40, 46, 52, 60, 70, 82, 96, 115, 140, 165};
+constexpr std::array<double, 9> kIrisAngles = {0, 6, 11.6, 12.4, 15, 19, 23.5, 26.8, 28.0};
+constexpr std::array<double, 14> kWhiteAngles = {28.0, 29.2, 32, 35, 40, 46, 52, 60, 70, 82, 96, 115, 140, 165};
 constexpr std::uint32_t kSegments = 32;
 
 constexpr Vector3 kPupil = {0.015, 0.012, 0.012};
@@ -23,8 +23,8 @@ constexpr Vector3 kWhite = {0.95, 0.94, 0.93};
 constexpr Vector3 kWhiteFar = {0.90, 0.78, 0.75};
 
 Vector3 iris_color(double angle_deg, std::uint32_t segment) {
-  if (angle_deg < 11.4) return kPupil;
-  if (angle_deg > 25) return kLimbus;
+  if (angle_deg < 12) return kPupil;
+  if (angle_deg > 26) return kLimbus;
   const double streak = 1 + 0.10 * std::cos(5 * segment * 2.0) + 0.06 * std::cos(3 * segment * 1.3 + 1);
   return lerp(kIrisInner, kIrisOuter, smooth_step(11, 18, angle_deg)) * streak;
 }
@@ -35,14 +35,14 @@ void add_rings(HeadBuilder& head, const double* angles, std::size_t count, bool 
   const std::uint32_t rows = static_cast<std::uint32_t>(count);
   for (std::uint32_t r = 0; r < rows; ++r) {
     const double a = angles[r] * std::numbers::pi / 180;
-    const double radius = kEyeRadius + 0.3 * square(std::max(0.0, 1 - angles[r] / 29));
+    const double radius = kEyeRadius + 0.3 * square(std::max(0.0, 1 - angles[r] / 30));
     const bool pole = angles[r] == 0;
     for (std::uint32_t c = 0; c < (pole ? 1 : kSegments); ++c) {
       const double turn = 2 * std::numbers::pi * c / kSegments;
       const Vector3 d = {std::sin(a) * std::cos(turn), std::sin(a) * std::sin(turn), std::cos(a)};
       head.add_vertex(kEyeCentre + radius * d,
                       iris ? iris_color(angles[r], c)
-                           : angles[r] < 27.5 ? kLimbus : lerp(kWhite, kWhiteFar, smooth_step(32, 66, angles[r])));
+                           : angles[r] < 28.5 ? kLimbus : lerp(kWhite, kWhiteFar, smooth_step(32, 66, angles[r])));
     }
   }
   std::uint32_t row = first;
@@ -97,7 +97,7 @@ Attached add_lashes(HeadBuilder& head, const Skin& skin) {
   lashes.range.first = head.vertex_count();
   const auto polygons = static_cast<std::uint32_t>(head.polygon_starts.size() - 1);
   head.begin_part("lashes", {0.13, 0.09, 0.08}, 0.1);
-  constexpr int kFirst = 0, kLast = 22;
+  constexpr int kFirst = 0, kLast = 23;
   for (int c = kFirst; c <= kLast; ++c) {
     const double s = lid_position(c), full = std::sqrt(std::max(0.0, 1 - square((s - 0.25) / 1.28)));
     const Vector3 edge = lid_point(-1, c), front = lid_point(0, c);

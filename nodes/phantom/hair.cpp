@@ -138,7 +138,7 @@ Attached add_brows(HeadBuilder& head, const Skin& skin) {
   for (std::uint32_t c = 0; c < kColumns; ++c) {
     const double t = c / (kColumns - 1.0);
     const double azimuth = lerp(6.5, 35.0, t);
-    const double elevation = 32.0 + 2.4 * std::sin(kPi * t * 0.8) - 2.9 * t * t * t;
+    const double elevation = 31.6 + 2.0 * std::sin(kPi * t * 0.85) - 2.4 * t * t * t;
     const double half_width = 1.55 * std::pow(std::sin(kPi * lerp(0.14, 0.985, std::pow(t, 0.75))), 0.7);  // degrees
     for (std::uint32_t r = 0; r < kRows; ++r) {
       const double w = r / (kRows - 1.0) * 2 - 1;

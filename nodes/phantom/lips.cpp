@@ -11,7 +11,7 @@ namespace {
 
 // The mouth's proportions, mm.
 constexpr double kMiddleY = -34, kMiddleZ = 112.5;  // where the lips touch in the middle plane
-constexpr double kCornerRise = 2.0;                 // friendly: the corners lie above the middle
+constexpr double kCornerRise = 2.6;                 // friendly: the corners lie above the middle
 constexpr double kCornerBack = 12.0;                // and behind it
 constexpr double kUpperHeight = 7.4, kLowerHeight = 9.2;
 constexpr double kUpperBulge = 2.6, kLowerBulge = 3.4;
