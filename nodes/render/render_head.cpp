@@ -28,7 +28,7 @@ struct Bounds {
   }
 };
 
-constexpr double margin = 1.12;  // of the picture over the head
+constexpr double margin = 1.06;  // of the picture over the head
 
 Bounds visible_bounds(const Mesh& mesh) {
   Bounds bounds;
@@ -60,7 +60,7 @@ Bounds head_bounds(const Rig& rig) {
     front = lip[2];
   }
   const float height = bounds.high[1] - chin;
-  bounds.low[1] = std::max(bounds.low[1], chin - 0.22f * height);
+  bounds.low[1] = std::max(bounds.low[1], chin - 0.15f * height);
   const float half_width = std::min(0.5f * (bounds.high[0] - bounds.low[0]), 0.45f * height);
   bounds.low[0] = middle - half_width;
   bounds.high[0] = middle + half_width;

@@ -71,8 +71,7 @@ void thin_out_lashes(const Mesh& mesh, Scene& scene) {
       const float dx = (*it)[0] - p[0], dy = (*it)[1] - p[1], dz = (*it)[2] - p[2];
       nearest = std::min(nearest, dx * dx + dy * dy + dz * dz);
     }
-    const float share = 1.0f - std::sqrt(nearest) / lash_reach_mm;
-    scene.opacity[v] = 0.85f * share * share;
+    scene.opacity[v] = 0.95f * (1.0f - std::sqrt(nearest) / lash_reach_mm);
   }
 }
 
@@ -103,7 +102,8 @@ Scene make_scene(const Rig& rig, const Weights& weights, const Camera& camera, c
 
 void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& scene) {
   constexpr std::array<float, 3> radii_mm = {3.5f, 9.0f, 22.0f};
-  constexpr float hidden_mm = 2.5f;  // a vertex this far behind what is seen is not seen
+  constexpr float hidden_mm = 2.5f;  // a vertex this far behind what is seen is not seen...
+  constexpr float crevice_mm = 35;   // ...and less than this far it is in a nostril or under the chin, and dark
   constexpr float bias = 0.12f;      // of the cosine: a plane or a sphere does not darken itself
   constexpr float strength = 2.6f;
   constexpr float darkest = 0.35f;
@@ -119,13 +119,19 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
     const Vec3f& n = scene.normals[v];
     const Vec3f normal = {r[0] * n[0] + r[1] * n[1] + r[2] * n[2], r[3] * n[0] + r[4] * n[1] + r[5] * n[2],
                           r[6] * n[0] + r[7] * n[1] + r[8] * n[2]};
-    if (normal[2] < -0.2f || !(at.depth_mm > 0)) continue;
+    if (normal[2] < -0.6f || !(at.depth_mm > 0)) continue;
     const auto seen = [&](float x, float y) {  // 1 / depth of what is seen there, 0 for nothing
       const int column = static_cast<int>(x + 0.5f), row = static_cast<int>(y + 0.5f);
       if (!(x >= 0 && y >= 0) || column >= raster.width_px || row >= raster.height_px) return 0.0f;
       return raster.inverse_depth_per_mm[raster.index(column, row)];
     };
-    if (seen(at.x_px, at.y_px) * (at.depth_mm - hidden_mm) > 1.0f) continue;
+    const float in_front = seen(at.x_px, at.y_px);
+    const float behind_mm = in_front > 0 ? at.depth_mm - 1.0f / in_front : 0.0f;
+    if (behind_mm > hidden_mm) {
+      if (behind_mm < crevice_mm) scene.exposure[v] = std::max(darkest, 1.0f - behind_mm / 14.0f);
+      continue;
+    }
+    if (normal[2] < -0.2f) continue;
     const float mm_per_px = at.depth_mm / camera.focal_px;
     float sum = 0;
     for (std::size_t ring = 0; ring < radii_mm.size(); ++ring) {
