@@ -1,7 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/store/codec.h"
 
+#include <stdexcept>
+
+#include "engine/store/checksum.h"
+
 namespace engine::store {
+namespace {
+
+// Ends encoded bytes with their checksum.
+Bytes sealed(Bytes bytes) {
+  const std::uint32_t sum = crc32c(bytes.data(), bytes.size());
+  ByteWriter(bytes).number(sum);
+  return bytes;
+}
+
+std::span<const std::uint8_t> unsealed(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 4) throw std::runtime_error("the bytes of a record end too early");
+  const auto content = bytes.first(bytes.size() - 4);
+  std::uint32_t sum;
+  std::memcpy(&sum, bytes.data() + content.size(), 4);
+  if (crc32c(content.data(), content.size()) != sum) throw std::runtime_error("the bytes of a record are damaged");
+  return content;
+}
+
+}  // namespace
 
 Bytes encode_outputs(const std::vector<OutputRecord>& outputs) {
   Bytes bytes;
@@ -15,11 +38,11 @@ Bytes encode_outputs(const std::vector<OutputRecord>& outputs) {
       writer.text(element.id);
     }
   }
-  return bytes;
+  return sealed(std::move(bytes));
 }
 
 std::vector<OutputRecord> decode_outputs(std::span<const std::uint8_t> bytes) {
-  ByteReader reader(bytes);
+  ByteReader reader(unsealed(bytes));
   std::vector<OutputRecord> outputs(reader.count(9));
   for (OutputRecord& output : outputs) {
     output.sequence = reader.number<std::uint8_t>() != 0;
@@ -44,11 +67,11 @@ Bytes encode_details(const TaskRecord& record) {
     writer.text(part.value);
     writer.text(part.origin);
   }
-  return bytes;
+  return sealed(std::move(bytes));
 }
 
 void decode_details(std::span<const std::uint8_t> bytes, TaskRecord& record) {
-  ByteReader reader(bytes);
+  ByteReader reader(unsealed(bytes));
   record.seconds = reader.number<double>();
   record.warnings.resize(reader.count(8));
   for (std::string& warning : record.warnings) warning = reader.text();
@@ -68,11 +91,11 @@ Bytes encode_history(const NodeHistory& history) {
     writer.raw(entry.key.bytes.data(), entry.key.bytes.size());
     writer.text(entry.element);
   }
-  return bytes;
+  return sealed(std::move(bytes));
 }
 
 NodeHistory decode_history(std::span<const std::uint8_t> bytes) {
-  ByteReader reader(bytes);
+  ByteReader reader(unsealed(bytes));
   NodeHistory history;
   history.entries.resize(reader.count(40));
   for (NodeHistory::Entry& entry : history.entries) {

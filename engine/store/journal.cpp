@@ -2,11 +2,12 @@
 #include "engine/store/journal.h"
 
 #include <fcntl.h>
-#include <nmmintrin.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+
+#include "engine/store/checksum.h"
 
 namespace engine::store {
 namespace {
@@ -91,19 +92,6 @@ auto look(const Map& map, const Key& key) -> const typename Map::mapped_type* {
 }
 
 }  // namespace
-
-std::uint32_t crc32c(const void* data, std::size_t size) {
-  const auto* at = static_cast<const std::uint8_t*>(data);
-  std::uint64_t sum = 0xffffffffU;
-  for (; size >= 8; size -= 8, at += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, at, 8);
-    sum = _mm_crc32_u64(sum, word);
-  }
-  auto narrow = static_cast<std::uint32_t>(sum);
-  for (; size > 0; --size, ++at) narrow = _mm_crc32_u8(narrow, *at);
-  return ~narrow;
-}
 
 std::string Journal::path(std::uint64_t number) const {
   return folder_ + "/journals/" + owner_ + "-" + std::to_string(number);
@@ -236,14 +224,9 @@ std::optional<Entries::FileDigest> Journal::file_digest(std::uint64_t device, st
   return std::nullopt;
 }
 
-std::size_t Journal::records() const {
+bool Journal::reaches(std::size_t records, std::size_t bytes) const {
   const std::lock_guard lock(mutex_);
-  return open_->records.size() + (sealed_ ? sealed_->records.size() : 0);
-}
-
-std::size_t Journal::bytes() const {
-  const std::lock_guard lock(mutex_);
-  return open_->bytes + (sealed_ ? sealed_->bytes : 0);
+  return open_->records.size() >= records || open_->bytes >= bytes;
 }
 
 std::shared_ptr<const Entries> Journal::seal() {

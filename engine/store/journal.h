@@ -62,9 +62,8 @@ class Journal {
   std::optional<Entries::History> history(const std::string& graph, const std::string& node) const;
   std::optional<Entries::FileDigest> file_digest(std::uint64_t device, std::uint64_t inode) const;
 
-  // Entries that wait to be folded, and their bytes.
-  std::size_t records() const;
-  std::size_t bytes() const;
+  // Whether the present journal file has so many records, or bytes.
+  bool reaches(std::size_t records, std::size_t bytes) const;
 
   // Ends the present journal file and returns its entries (or those of the file sealed before and not yet taken); null where
   // there is nothing. After taken() they are no longer answered from here.
@@ -84,8 +83,9 @@ class Journal {
   std::shared_ptr<Entries> open_ = std::make_shared<Entries>(), sealed_;
 };
 
-// Reads a journal that its owner may be appending to: each call of read() takes in the whole frames that came since. Stops for
-// good at a frame whose checksum is wrong, and for now at one that is cut short.
+// Reads a journal that its owner may be appending to: each call of read() takes in the whole frames that came since. Stops at
+// a frame that is cut short or whose checksum is wrong, and tries it again at the next call: its owner may have taken a frame
+// back that did not fit the disk.
 class JournalReader {
  public:
   explicit JournalReader(const std::string& path);
@@ -96,7 +96,5 @@ class JournalReader {
   Fd file_;
   std::uint64_t offset_ = 0;
 };
-
-std::uint32_t crc32c(const void* data, std::size_t size);
 
 }  // namespace engine::store

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <shared_mutex>
 #include <thread>
 #include <unordered_set>
@@ -32,16 +33,20 @@ constexpr std::size_t kFoldRecords = 8000;
 constexpr std::size_t kFoldBytes = 24 << 20;
 constexpr std::chrono::milliseconds kFoldWait{1000};
 
-// Makes the folders; the error for a path that is a file.
-std::string prepared(const std::string& folder) {
+// Makes the folders. The path is absolute from here on: the working directory may change.
+std::string prepared(const std::string& given) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(given, error).lexically_normal();
+  std::string folder = error ? given : absolute.string();
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   for (const char* part : {"", "/journals", "/leases", "/tmp", "/objects", "/files"}) make_folder(folder, folder + part);
   return folder;
 }
 
 class FolderStore final : public Store {
  public:
-  explicit FolderStore(const std::string& folder)
-      : folder_(prepared(folder)),
+  explicit FolderStore(const std::string& given)
+      : folder_(prepared(given)),
         shared_(std::make_shared<Shared>(folder_)),
         index_(open_index()),
         lease_(folder_),
@@ -49,7 +54,11 @@ class FolderStore final : public Store {
         foreign_(folder_, lease_.owner()),
         objects_(folder_, lease_.owner(), lease_.start_ns()),
         file_digests_(*index_, journal_) {
-    fold_dead();
+    try {
+      fold_dead();
+    } catch (const EngineError&) {
+      // The disk is full, say. What dead owners left is read from their journals, and folded another time.
+    }
     folder_thread_ = std::thread([this] { fold_in_background(); });
   }
 
@@ -135,6 +144,7 @@ class FolderStore final : public Store {
   void adopt_file(const Digest& digest, const std::string& suffix, const std::string& path) override {
     objects_.adopt_file(digest, suffix, path);
   }
+  bool has_file(const Digest& digest, const std::string& suffix) override { return objects_.has_file(digest, suffix); }
   std::string file_path(const Digest& digest, const std::string& suffix) override {
     std::string path;
     if (objects_.check_file(digest, suffix, path) == Objects::Found::damaged) note_damaged(digest);
@@ -150,7 +160,11 @@ class FolderStore final : public Store {
     std::optional<Entries::History> found = journal_.history(graph, node);
     if (!found) found = index_->history(graph, node);
     if (!found) return std::nullopt;
-    return decode_history(found->entries);
+    try {
+      return decode_history(found->entries);
+    } catch (const std::runtime_error&) {
+      return std::nullopt;
+    }
   }
 
   void set_history(const std::string& graph, const std::string& node, const NodeHistory& history) override {
@@ -182,7 +196,11 @@ class FolderStore final : public Store {
 
   GcResult gc(std::uint64_t max_bytes, double max_age_s) override {
     const Shared::Section section(*shared_, Shared::kCollecting);
-    flush();
+    try {
+      flush();
+    } catch (const EngineError&) {
+      // A full disk cannot take the index's news, but collecting makes room.
+    }
     refresh(true);
     GcLimits limits{max_bytes, max_age_s, lease_.start_ns(), false};
     for (const OtherLease& lease : live_leases(folder_, lease_.owner())) {
@@ -318,7 +336,7 @@ class FolderStore final : public Store {
 
   void wake_folder() {
     if (waiting_.exchange(true, std::memory_order_acq_rel)) {
-      if (journal_.records() < kFoldRecords && journal_.bytes() < kFoldBytes) return;
+      if (!journal_.reaches(kFoldRecords, kFoldBytes)) return;
       if (full_.exchange(true, std::memory_order_acq_rel)) return;
     }
     { const std::lock_guard lock(wake_mutex_); }
@@ -345,6 +363,7 @@ class FolderStore final : public Store {
       } catch (const std::exception&) {
         waiting_.store(true);  // tried again; flush() says what is wrong
       }
+      index_->release_idle_snapshot();
       lock.lock();
     }
   }

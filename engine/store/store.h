@@ -80,6 +80,7 @@ class Store {
   // File values: uncompressed, read-only, with their suffix. digest = SHA-256 of the content.
   virtual void put_file(const Digest& digest, const std::string& suffix, const Bytes& content) = 0;
   virtual void adopt_file(const Digest& digest, const std::string& suffix, const std::string& path) = 0;  // moves it
+  virtual bool has_file(const Digest& digest, const std::string& suffix) = 0;
   // Path of the file in the store, verified against its digest once per process; empty when missing or damaged.
   virtual std::string file_path(const Digest& digest, const std::string& suffix) = 0;
 

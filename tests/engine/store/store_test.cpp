@@ -125,6 +125,7 @@ TEST_F(StoreFiles, AreReadOnlyWithTheirSuffixAndUncompressed) {
   const Bytes bytes = bytes_of("glTF binary");
   const Digest digest = digest_of_bytes(bytes);
   EXPECT_EQ(store->file_path(digest, ".glb"), "");
+  EXPECT_FALSE(store->has_file(digest, ".glb"));
   store->put_file(digest, ".glb", bytes);
   const std::string path = store->file_path(digest, ".glb");
   EXPECT_EQ(path, folder_ + "/files/" + digest.hex().substr(0, 2) + "/" + digest.hex().substr(2) + ".glb");
@@ -132,6 +133,8 @@ TEST_F(StoreFiles, AreReadOnlyWithTheirSuffixAndUncompressed) {
   struct stat found;
   ASSERT_EQ(stat(path.c_str(), &found), 0);
   EXPECT_EQ(found.st_mode & 0222, 0U);
+  EXPECT_TRUE(store->has_file(digest, ".glb"));
+  EXPECT_FALSE(store->has_file(digest, ".bin"));
   EXPECT_EQ(store->file_path(digest, ".bin"), "");
 }
 
@@ -229,6 +232,35 @@ TEST_F(StoreDamage, AnyFlippedByteOfAnObjectIsFoundRemovedAndReported) {
       EXPECT_EQ(store->take_damaged(), std::vector<Digest>{digest});
     }
   EXPECT_GT(found, 150);
+}
+
+TEST_F(StoreDamage, AFlippedByteOfTheIndexIsNoWrongHit) {
+  TaskRecord record = record_of(1);
+  record.outputs = {{true, {{"take03/17", engine::digest_of("a value")}}}};
+  open()->publish(record);
+  const Bytes small = bytes_of("a small value");
+  open()->put(digest_of_bytes(small), small);
+  const std::string index = folder_ + "/index.sqlite";
+  const std::string good = test::content(index);
+  const std::string identity(reinterpret_cast<const char*>(engine::digest_of("a value").bytes.data()), 32);
+  for (const std::string& part : {std::string("take03/17"), identity, std::string("a small value")}) {
+    std::string bad = good;
+    const std::size_t at = bad.find(part);
+    ASSERT_NE(at, std::string::npos);
+    bad[at + 5] = static_cast<char>(bad[at + 5] ^ 1);
+    test::write(index, bad);
+    const auto store = open();
+    if (part == "a small value") {
+      EXPECT_FALSE(store->get(digest_of_bytes(small)));
+      EXPECT_EQ(store->take_damaged(), std::vector<Digest>{digest_of_bytes(small)});
+      EXPECT_FALSE(store->has(digest_of_bytes(small)));
+    } else {
+      EXPECT_FALSE(store->find_outputs(record.key));
+      EXPECT_FALSE(store->find(record.key));
+      store->publish(record);
+      EXPECT_TRUE(store->find_outputs(record.key));
+    }
+  }
 }
 
 TEST_F(StoreDamage, AnObjectCutShortIsMissing) {

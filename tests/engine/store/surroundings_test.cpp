@@ -34,6 +34,17 @@ TEST_F(BadFolder, MissingParentsAreMade) {
   EXPECT_TRUE(open()->find(record_of(1).key));
 }
 
+TEST_F(BadFolder, ARelativeFolderStaysWhereItWasWhenTheWorkingFolderChanges) {
+  const std::string before = std::filesystem::current_path();
+  std::filesystem::current_path(base_);
+  const auto store = Store::open("./store/");
+  std::filesystem::current_path("/");
+  EXPECT_EQ(store->folder(), folder_);
+  store->put_file(engine::digest_of("film"), ".mp4", test::bytes_of("film"));
+  EXPECT_EQ(test::content(store->file_path(engine::digest_of("film"), ".mp4")), "film");
+  std::filesystem::current_path(before);
+}
+
 TEST_F(BadFolder, AReadOnlyFolderIsNamed) {
   open()->publish(record_of(1));
   Child child([&] {
@@ -144,6 +155,50 @@ TEST_F(FullDisk, WhenTheStoreClosesLosesNothing) {
   store = open();
   for (int i = 0; i < 300; ++i) ASSERT_TRUE(store->find(record_of(i).key)) << i;
   EXPECT_TRUE(std::filesystem::is_empty(folder_ + "/journals"));
+}
+
+TEST_F(FullDisk, CanBeCollected) {
+  auto store = open();
+  std::vector<engine::Digest> values;
+  try {
+    for (unsigned i = 0;; ++i) {
+      const Bytes value = noise(100'000, i);
+      store->put(digest_of_bytes(value), value);
+      values.push_back(digest_of_bytes(value));
+      test::age(test::object_path(folder_, values.back()), 1000);
+    }
+  } catch (const EngineError&) {
+  }
+  try {
+    for (int i = 0;; ++i) store->publish(record_of(i));
+  } catch (const EngineError&) {
+  }
+  EXPECT_GT(store->gc(0, 0).removed_objects, 0U);
+  store->publish(record_of(1'000'000));
+  store->flush();
+  EXPECT_TRUE(store->find(record_of(1'000'000).key));
+}
+
+TEST_F(FullDisk, OfADeadProcessIsReadFromItsJournal) {
+  Child child([&] {
+    const auto store = open();
+    for (int i = 0; i < 300; ++i) store->publish(record_of(i));
+    Child::tell();
+    Child::wait_for_go();
+  });
+  child.wait_told();
+  child.kill();
+  const std::string ballast = base_ + "/disk/ballast";
+  {
+    std::ofstream file(ballast, std::ios::binary);
+    const std::string piece(4096, 'x');
+    while (file << piece << std::flush) {
+    }
+  }
+  std::filesystem::resize_file(ballast, std::filesystem::file_size(ballast) - 60'000);  // enough to open, too little to fold
+  const auto store = open();
+  EXPECT_FALSE(std::filesystem::is_empty(folder_ + "/journals"));
+  for (int i = 0; i < 300; ++i) ASSERT_TRUE(store->find(record_of(i).key)) << i;
 }
 
 TEST_F(BadFolder, ALimitOnTheSizeOfFilesIsAnErrorNotDamage) {
