@@ -46,6 +46,8 @@ engine::Seq<std::string> repeat(const std::string& text, const RepeatOptions& op
   return texts;
 }
 
+engine::File join_texts(const engine::Seq<std::string>& texts) { return write_text(concat(texts, {"\n"})); }
+
 engine::File write_text(const std::string& text) { return engine::File::from_bytes(text, ".txt"); }
 
 }  // namespace toy

@@ -31,6 +31,9 @@ struct RepeatOptions {
 // A sequence of copies, each with its number behind it.
 engine::Seq<std::string> repeat(const std::string& text, const RepeatOptions& options);
 
+// All texts in one file, a line break between them.
+engine::File join_texts(const engine::Seq<std::string>& texts);
+
 engine::File write_text(const std::string& text);
 
 }  // namespace toy
