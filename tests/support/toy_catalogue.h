@@ -56,7 +56,7 @@ class ToyCatalogue {
     using engine::ParamKind;
     nodes_ = engine::structural_nodes();
     nodes_.push_back(toy_node("toy.read_text", {toy_input("file", "file")}, {}, {toy_output("text", "text")}));
-    nodes_.push_back(toy_node("toy.add", {toy_input("a", "number"), toy_input("b", "number")},
+    nodes_.push_back(toy_node("toy.add", {toy_input("a", "number"), toy_input("b", "number", 0, true)},
                               {toy_param("amount", ParamKind::real, 0.0, -1000, 1000)}, {toy_output("sum", "number")}));
     nodes_.push_back(toy_node("toy.concat", {toy_input("texts", "text", 1)},
                               {toy_param("separator", ParamKind::string, std::string(" "))}, {toy_output("text", "text")}));
@@ -71,7 +71,7 @@ class ToyCatalogue {
     nodes_.back().prior = true;
     engine::ParamInfo mode = toy_param("mode", ParamKind::choice, std::string("upper"));
     mode.choices = {"upper", "lower", "title"};
-    nodes_.push_back(toy_node("toy.upper", {toy_input("text", "text")}, {mode}, {toy_output("text", "text")}));
+    nodes_.push_back(toy_node("toy.upper", {toy_input("text", "text")}, {mode}, {toy_output("changed", "text")}));
     nodes_.push_back(toy_node("toy.write_text", {toy_input("text", "text")}, {}, {toy_output("file", "file")}));
   }
 

@@ -89,10 +89,10 @@ TEST_F(Validation, TellsOneMistakeOnce) {
 
 TEST_F(Validation, FollowsTypesBeyondAMistake) {
   EXPECT_EQ(problems(R"("loud": {"node": "toy.upper", "inputs": {"text": "mani"}},
-"sum": {"node": "toy.add", "inputs": {"a": "loud", "b": "loud.texts"}})"),
+"sum": {"node": "toy.add", "inputs": {"a": "loud", "b": "loud.change"}})"),
             "graph.json:4:50: /nodes/loud/inputs/text: the graph has no node 'mani' (did you mean 'many'?)\n"
             "graph.json:5:44: /nodes/sum/inputs/a: the input 'a' of 'toy.add' takes 'number', found 'text'\n"
-            "graph.json:5:57: /nodes/sum/inputs/b: 'loud' has no output 'texts' (did you mean 'text'?)\n");
+            "graph.json:5:57: /nodes/sum/inputs/b: 'loud' has no output 'change' (did you mean 'changed'?)\n");
 }
 
 TEST_F(Validation, NamesEveryRingOnce) {
