@@ -20,11 +20,8 @@ constexpr double kOuterZ = 83.5, kInnerZ = 89.5;
 struct LidRing {
   double upper_mm, lower_mm, clearance_mm, of_face;
 };
-constexpr std::array<LidRing, 5> kLidRings = {{{0, 0, 0.35, 0},
-                                               {1.0, 0.9, 1.7, 0},
-                                               {3.2, 2.4, 2.2, 0.05},
-                                               {5.6, 4.6, 1.3, 0.25},
-                                               {7.6, 7.4, 1.5, 0.6}}};
+constexpr std::array<LidRing, 5> kLidRings = {
+    {{0, 0, 0.35, 0}, {1.0, 0.9, 1.7, 0}, {3.2, 2.4, 2.2, 0.05}, {5.6, 4.6, 1.3, 0.25}, {7.6, 7.4, 1.5, 0.6}}};
 
 }  // namespace
 

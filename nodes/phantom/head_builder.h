@@ -10,6 +10,11 @@
 
 namespace face::phantom {
 
+// A run of vertices.
+struct VertexRange {
+  std::uint32_t first = 0, end = 0;
+};
+
 // A mesh under construction that knows the mirror image of each of its vertices.
 struct HeadBuilder {
   std::vector<Vector3> points_mm;
@@ -28,7 +33,8 @@ struct HeadBuilder {
   void add_polygon(std::initializer_list<std::uint32_t> vertices);
   // Polygons added from here on belong to this part.
   void begin_part(const std::string& name, Vector3 albedo_srgb, double gloss);
-  // Copies the polygons of the current part and their vertices, from the given first ones, to the other side as a new part.
+  // Copies the polygons of the current part and their vertices, from the given first ones, to the other side as a new
+  // part.
   void add_mirror_image(const std::string& name, std::uint32_t first_vertex, std::uint32_t first_polygon);
 
   // Makes left and right exact mirror images: the left one counts.

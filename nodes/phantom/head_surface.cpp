@@ -14,9 +14,9 @@ constexpr Vector3 kCentre = {0, 0, 15};
 constexpr double kCrownRadius = 144;
 
 // Distance of the skin from kCentre in mm; rows from elevation 81 down to -45, columns from the front to the back.
-// Read off the neutral head of ICT-FaceKit (Li et al., Learning Formation of Physically-Based Face Attributes, CVPR 2020;
-// MIT licence), rounded, with nose and ears taken away and the forms softened. They are the control net of a uniform
-// cubic B-spline, which is why the surface is smooth.
+// Read off the neutral head of ICT-FaceKit (Li et al., Learning Formation of Physically-Based Face Attributes, CVPR
+// 2020; MIT licence), rounded, with nose and ears taken away and the forms softened. They are the control net of a
+// uniform cubic B-spline, which is why the surface is smooth.
 constexpr std::array<std::array<double, kColumns>, kRows> kRadius = {{
     {142, 142, 142, 142, 142, 142, 142, 142, 142, 143, 143, 143, 144, 144, 145, 145, 146, 146, 146, 146, 147},
     {140, 140, 140, 139, 139, 138, 138, 138, 138, 138, 138, 139, 141, 142, 143, 145, 146, 147, 147, 148, 148},
@@ -96,7 +96,8 @@ double profile(const std::array<std::array<double, 2>, N>& knots, double x) {
 // Height of the nose's ridge over the face and its half width, by height y in mm.
 constexpr std::array<std::array<double, 2>, 10> kNoseRidge = {
     {{44, 0}, {34, 4.5}, {26, 7.5}, {18, 11}, {11, 15.5}, {6, 18}, {1, 17}, {-4, 11}, {-9, 4}, {-14, 0}}};
-constexpr std::array<std::array<double, 2>, 6> kNoseWidth = {{{44, 8}, {30, 7.2}, {20, 8}, {10, 9.5}, {0, 11}, {-14, 9}}};
+constexpr std::array<std::array<double, 2>, 6> kNoseWidth = {
+    {{44, 8}, {30, 7.2}, {20, 8}, {10, 9.5}, {0, 11}, {-14, 9}}};
 
 // 1 in the middle of a nostril, 0 away from it.
 double nostril_weight(Vector3 at) {
@@ -108,9 +109,9 @@ Vector3 nose_offset(Vector3 at) {
   const double x = std::abs(at.x), y = at.y;
   if (x > 40 || y > 60 || y < -40 || at.z < 40) return {};
   double dz = profile(kNoseRidge, y) * std::exp(-std::pow(x / profile(kNoseWidth, y), 2.6));
-  dz += 3.0 * bell(x, 7.5) * bell(y - 4, 6.5);       // tip
+  dz += 3.0 * bell(x, 7.5) * bell(y - 4, 6.5);           // tip
   dz += 9.0 * bell(x - 11.2, 4.4) * bell(y + 2.2, 5.2);  // wings
-  dz -= 2.0 * bell(x - 17.5, 3.2) * bell(y + 3, 7);  // crease beside the wing
+  dz -= 2.0 * bell(x - 17.5, 3.2) * bell(y + 3, 7);      // crease beside the wing
   // The underside: what slopes from the tip back to the lip is drawn together into a nearly level floor.
   const double under = bell(x, 15) * smooth_step(2, -5, y) * smooth_step(-19, -11, y);
   double dy = (-6.5 - y) * 0.70 * under;

@@ -7,7 +7,10 @@
 #include <string_view>
 
 #include "nodes/base/check.h"
+#include "nodes/phantom/brows.h"
+#include "nodes/phantom/ears.h"
 #include "nodes/phantom/hair.h"
+#include "nodes/phantom/lashes.h"
 #include "nodes/phantom/lips.h"
 #include "nodes/phantom/paint.h"
 #include "nodes/phantom/sculptor.h"
@@ -53,8 +56,8 @@ std::uint32_t nearest_vertex(const Head& head, ChartPoint at) {
   for (std::uint32_t v = 0; v < head.skin.vertices.size(); ++v) {
     const SkinVertex& vertex = head.skin.vertices[v];
     if (vertex.loop != SkinVertex::Loop::none && vertex.ring < 0) continue;
-    const double distance = square(vertex.at.azimuth_deg - at.azimuth_deg) +
-                            square(vertex.at.elevation_deg - at.elevation_deg);
+    const double distance =
+        square(vertex.at.azimuth_deg - at.azimuth_deg) + square(vertex.at.elevation_deg - at.elevation_deg);
     if (distance < best_distance) {
       best = v;
       best_distance = distance;

@@ -17,7 +17,8 @@ struct Arch {
 constexpr Arch kUpperArch = {26.5, 42, 105.2, -36.0, 1};
 constexpr Arch kLowerArch = {24.6, 40, 102.6, -36.9, -1};
 
-// Crowns from the middle to the back: width, height, thickness at the gum, thickness at the edge, roundness of the edge.
+// Crowns from the middle to the back: width, height, thickness at the gum, thickness at the edge, roundness of the
+// edge.
 struct Tooth {
   double width, height, root_mm, edge_mm, round_mm;
 };
@@ -77,7 +78,8 @@ void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Pl
       const double x = 0.485 * tooth.width * u * narrow * (0.75 + 0.25 * end);
       const double back = 0.5 * thick * (1 - w * (0.35 + 0.65 * end));
       // Corners of the edge are rounder than its middle.
-      const double y = tooth.height * (1 - t) + tooth.round_mm * square(x / (0.5 * tooth.width)) * smooth_step(0.5, 1, t);
+      const double y =
+          tooth.height * (1 - t) + tooth.round_mm * square(x / (0.5 * tooth.width)) * smooth_step(0.5, 1, t);
       const double bulge = 0.5 * std::sin(kPi * std::clamp(t, 0.0, 1.0)) - 0.6 * (1 - t);
       const Vector3 at = place.front + place.along * x + place.outward * (bulge - back) + Vector3{0, arch.down * y, 0};
       head.add_vertex(at, lerp(kEnamelRoot, kEnamel, smooth_step(-0.05, 0.35, t)));
@@ -88,8 +90,7 @@ void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Pl
   const auto rows = static_cast<std::uint32_t>(kToothRows.size());
   add_grid(head, first, rows, kToothColumns, true);
   const std::uint32_t last = first + (rows - 1) * kToothColumns;
-  for (std::uint32_t c = 0; c < kToothColumns; ++c)
-    head.add_polygon({last + c, last + (c + 1) % kToothColumns, tip});
+  for (std::uint32_t c = 0; c < kToothColumns; ++c) head.add_polygon({last + c, last + (c + 1) % kToothColumns, tip});
 }
 
 // Both halves of a row of teeth, in the current part.
@@ -126,8 +127,8 @@ VertexRange add_gums(HeadBuilder& head, const Arch& arch, const std::array<Tooth
       const double height = lerp(teeth[0].height, teeth[6].height, angle / end) - 1.4;
       const double turn = kPi * (r / (kGumRows - 1.0)), half = lerp(4.6, 6.4, angle / end);
       const double out = half * std::cos(turn), up = 9.5 - 9.5 * std::pow(std::sin(turn), 0.6);
-      Vector3 at = place.front + place.outward * (out - half + 1.0 - 0.05 * up) +
-                   Vector3{0, arch.down * (height + up), 0};
+      Vector3 at =
+          place.front + place.outward * (out - half + 1.0 - 0.05 * up) + Vector3{0, arch.down * (height + up), 0};
       if (c < kGumColumns / 2) at.x = -at.x;
       head.add_vertex(at, lerp(kGum, kGumDeep, smooth_step(1, 9, up)));
     }
@@ -169,8 +170,7 @@ VertexRange add_tongue(HeadBuilder& head) {
       head.pair(range.first + r * kTongueColumns + c, range.first + r * kTongueColumns + kTongueColumns - c);
   add_grid(head, range.first, kTongueRows - 1, kTongueColumns, true);
   const std::uint32_t last = range.first + (kTongueRows - 2) * kTongueColumns;
-  for (std::uint32_t c = 0; c < kTongueColumns; ++c)
-    head.add_polygon({last + c, last + (c + 1) % kTongueColumns, tip});
+  for (std::uint32_t c = 0; c < kTongueColumns; ++c) head.add_polygon({last + c, last + (c + 1) % kTongueColumns, tip});
   range.end = head.vertex_count();
   return range;
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include <vector>
 
-#include "nodes/phantom/eyes.h"
 #include "nodes/phantom/head_builder.h"
 
 namespace face::phantom {

@@ -18,9 +18,9 @@ Vector3 skin_color(const SkinVertex& v, Vector3 point) {
   const double x = std::abs(point.x), y = point.y;
   Vector3 color = kSkin;
   if (point.z > 30) {
-    color = lerp(color, kBlush, 0.40 * bell(x - 43, 19) * bell(y + 2, 17));          // cheeks
-    color = lerp(color, kBlush, 0.32 * bell(x, 15) * bell(y - 2, 11));                // nose
-    color = lerp(color, kBlush, 0.22 * bell(x, 16) * bell(y + 66, 10));               // chin
+    color = lerp(color, kBlush, 0.40 * bell(x - 43, 19) * bell(y + 2, 17));  // cheeks
+    color = lerp(color, kBlush, 0.32 * bell(x, 15) * bell(y - 2, 11));       // nose
+    color = lerp(color, kBlush, 0.22 * bell(x, 16) * bell(y + 66, 10));      // chin
     color = lerp(color, {0.28, 0.10, 0.08}, 0.85 * nostril_darkness(v.at));
   }
   if (v.loop == Loop::left_eye || v.loop == Loop::right_eye) {

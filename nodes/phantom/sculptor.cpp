@@ -55,7 +55,8 @@ std::vector<double> lower_field(const Head& head) {
 
 }  // namespace
 
-std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, const std::vector<double>& start, int passes) {
+std::vector<double> diffuse(const Head& head, const std::vector<double>& fixed, const std::vector<double>& start,
+                            int passes) {
   std::vector<double> value(fixed.size()), next(fixed.size());
   for (std::size_t v = 0; v < fixed.size(); ++v)
     value[v] = !std::isnan(fixed[v]) ? fixed[v] : start.empty() ? 0 : start[v];

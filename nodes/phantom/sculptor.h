@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nodes/phantom/attached.h"
 #include "nodes/phantom/eyes.h"
 #include "nodes/phantom/head_builder.h"
 #include "nodes/phantom/mouth_interior.h"
@@ -25,11 +26,11 @@ using Offsets = std::vector<Vector3>;
 
 // Measures on the neutral head that all shapes share. Every field has one value per vertex of the skin.
 struct Fields {
-  std::vector<double> jaw;         // 1 where the skin rides on the jaw, 0 where it stays; smooth, and split by the lips
-  std::vector<double> lower;       // 1 on the lower lip and below, 0 on the upper lip and above; about 1/2 beside the mouth
-  std::vector<double> lip_mm;      // distance to the border of the lips' red, 0 on and inside it
-  std::vector<double> lining;      // 1 on skin and lips, falling to 0 along the mouth's lining
-  std::vector<double> across;      // 1 at the left corner of the mouth, -1 at the right one; beyond 1 on the cheeks
+  std::vector<double> jaw;     // 1 where the skin rides on the jaw, 0 where it stays; smooth, and split by the lips
+  std::vector<double> lower;   // 1 on the lower lip and below, 0 on the upper lip and above; about 1/2 beside the mouth
+  std::vector<double> lip_mm;  // distance to the border of the lips' red, 0 on and inside it
+  std::vector<double> lining;  // 1 on skin and lips, falling to 0 along the mouth's lining
+  std::vector<double> across;  // 1 at the left corner of the mouth, -1 at the right one; beyond 1 on the cheeks
 };
 Fields measure_fields(const Head& head);
 

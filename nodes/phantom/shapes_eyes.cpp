@@ -4,6 +4,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/phantom/eyelids.h"
+#include "nodes/phantom/lashes.h"
 #include "nodes/phantom/sculptor.h"
 
 namespace face::phantom {
@@ -58,7 +59,7 @@ void move_lids(const Head& head, Lids lids, Offsets& offsets) {
   }
   // Lashes turn with the lid that they grow on: their tips come down.
   const std::uint32_t half = (head.lashes.range.end - head.lashes.range.first) / 2;
-  for (std::uint32_t k = 1; k < half; k += 3) {
+  for (std::uint32_t k = 1; k < half; k += kLashVertices) {
     const std::uint32_t v = head.lashes.range.first + k;
     const Vector3 root = head.mesh.points_mm[head.lashes.anchors[k].front().vertex], tip = head.mesh.points_mm[v];
     offsets[v] += Vector3{0, -1.5 * lids.upper * (tip.y - root.y), 0.1 * lids.upper * (tip.y - root.y)};
@@ -77,7 +78,8 @@ void turn_eye(const Head& head, double pitch_deg, double yaw_deg, Offsets& offse
 }
 
 // Moves the skin about a place of the chart; radii in degrees. The lids themselves stay.
-void push(const Head& head, ChartPoint centre, double azimuth_radius, double elevation_radius, Vector3 by, Offsets& offsets) {
+void push(const Head& head, ChartPoint centre, double azimuth_radius, double elevation_radius, Vector3 by,
+          Offsets& offsets) {
   for (std::size_t v = 0; v < head.skin.vertices.size(); ++v) {
     const SkinVertex& vertex = head.skin.vertices[v];
     if (vertex.loop == SkinVertex::Loop::mouth) continue;
@@ -124,11 +126,11 @@ Offsets brow_shape(const Head& head, std::string_view name) {
     push(head, {12, 31}, 8, 6.5, {-2.0, -5.8, 1.4}, offsets);
     push(head, {26, 33}, 9, 6.5, {-1.0, -4.2, 0.6}, offsets);
   } else if (name == "browInnerUp") {
-    push(head, {10, 33}, 8, 8.5, {0.4, 6.2, 0.2}, offsets);
-    push(head, {-10, 33}, 8, 8.5, {-0.4, 6.2, 0.2}, offsets);
+    push(head, {10, 33}, 9.5, 8.5, {0.4, 6.2, 0.2}, offsets);
+    push(head, {-10, 33}, 9.5, 8.5, {-0.4, 6.2, 0.2}, offsets);
     symmetrise(head, offsets);
   } else if (name == "browOuterUpLeft") {
-    push(head, {29, 33}, 9, 8.5, {0.8, 6.8, -1.0}, offsets);
+    push(head, {28, 33}, 11, 8.5, {0.8, 7.4, -1.0}, offsets);
   } else {
     fail("'", name, "' is not a shape of the left brow");
   }

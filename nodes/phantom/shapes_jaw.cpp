@@ -26,7 +26,8 @@ Offsets move_jaw(const Head& head, const Fields& fields, Turn turn) {
   return offsets;
 }
 
-// The tongue slides forward over the lower teeth and lip, then its tip hangs down. It fits an open jaw (jawOpen >= 0.4).
+// The tongue slides forward over the lower teeth and lip, then its tip hangs down. It fits an open jaw (jawOpen >=
+// 0.4).
 Offsets tongue_out(const Head& head) {
   Offsets offsets(head.mesh.points_mm.size());
   for (std::uint32_t v = head.mouth.tongue.first; v < head.mouth.tongue.end; ++v) {
@@ -46,8 +47,10 @@ void push(const Head& head, const Fields& fields, Vector3 centre, double radius_
   for (std::size_t v = 0; v < fields.jaw.size(); ++v) {
     const SkinVertex& vertex = head.skin.vertices[v];
     double weight = std::exp(-square(length(head.mesh.points_mm[v] - centre) / radius_mm));
-    if (vertex.loop == SkinVertex::Loop::mouth) weight *= smooth_step(0, 14, fields.lip_mm[v]);
-    else if (vertex.loop != SkinVertex::Loop::none) weight *= smooth_step(1, 6, vertex.ring);
+    if (vertex.loop == SkinVertex::Loop::mouth)
+      weight *= smooth_step(0, 10, fields.lip_mm[v]);
+    else if (vertex.loop != SkinVertex::Loop::none)
+      weight *= smooth_step(1, 6, vertex.ring);
     if (weight > 0.01) offsets[v] += smooth_step(0.01, 0.08, weight) * weight * by;
   }
 }
@@ -75,7 +78,8 @@ Offsets jaw_shape(const Head& head, const Fields& fields, std::string_view name)
   });
   // An open mouth is narrower: its corners come in.
   for (std::size_t v = 0; v < fields.jaw.size(); ++v) {
-    const double corner = smooth_step(0.3, 1, std::abs(fields.across[v])) * bell(fields.lip_mm[v], 14) * fields.lining[v];
+    const double corner =
+        smooth_step(0.3, 1, std::abs(fields.across[v])) * bell(fields.lip_mm[v], 14) * fields.lining[v];
     offsets[v].x -= 0.10 * head.mesh.points_mm[v].x * corner;
   }
   symmetrise(head, offsets);
@@ -90,6 +94,9 @@ Offsets cheek_shape(const Head& head, const Fields& fields, std::string_view nam
       push(head, fields, {side * 20, -18, 112}, 14, {side * 0.5, 0.5, 2.2}, offsets);
       push(head, fields, {side * 18, -52, 104}, 14, {side * 0.5, -0.5, 2.2}, offsets);
     }
+    // The lips are pushed out, still shut.
+    for (std::size_t v = 0; v < fields.jaw.size(); ++v)
+      offsets[v].z += 3.4 * bell(fields.lip_mm[v], 16) * fields.lining[v] * smooth_step(58, 30, fields.lip_mm[v]);
     symmetrise(head, offsets);
   } else if (name == "cheekSquintLeft") {
     push(head, fields, {38, 3, 92}, 19, {1.0, 6.0, 2.4}, offsets);

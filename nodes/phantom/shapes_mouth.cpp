@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lips of the embedded head. Where a shape keeps the mouth shut, the line along which the lips touch moves as a function of
-// the place across the mouth only, the same for both lips, so that no combination of such shapes opens or crosses them.
+// Lips of the embedded head. Where a shape keeps the mouth shut, the line along which the lips touch moves as a
+// function of the place across the mouth only, the same for both lips, so that no combination of such shapes opens or
+// crosses them.
 #include "nodes/base/check.h"
 #include "nodes/phantom/lips.h"
 #include "nodes/phantom/sculptor.h"
@@ -16,9 +17,9 @@ struct LipView {
   double lower;    // 0 upper lip, 1 lower lip
   double red;      // 0 on the line where the lips touch, 1 at the border of the red and beyond
   double jaw;
-  double thin;     // 1 in the middle, 0 at the corners and beyond
-  double y;        // mm
-  int ring;        // 99 off the mouth's loops
+  double thin;  // 1 in the middle, 0 at the corners and beyond
+  double y;     // mm
+  int ring;     // 99 off the mouth's loops
 };
 
 double left_half(double across) { return smooth_step(-0.25, 0.25, across); }
@@ -32,7 +33,8 @@ Vector3 roll(const LipView& at, double up, double back_mm, double lining_follows
   // The red turns in over the teeth: its border comes to where the lips touch, the rest goes back.
   const double full = std::pow(std::max(at.thin, 0.0), 0.6), near = bell(at.outside, 9);
   const double in_red = at.ring <= 0 ? 1 : near;
-  return {0, up * in_red * full * (at.ring <= 0 ? 4.2 * at.red : 4.2 * near), -in_red * full * (back_mm - 1.2 * at.red) * (at.ring < kLipContactRing ? lining_follows : 1)};
+  return {0, up * in_red * full * (at.ring <= 0 ? 4.2 * at.red : 4.2 * near),
+          -in_red * full * (back_mm - 1.2 * at.red) * (at.ring < kLipContactRing ? lining_follows : 1)};
 }
 
 Vector3 lip_offset(std::string_view name, const LipView& at) {
@@ -40,14 +42,15 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
   const double near = bell(at.outside, 15), wide = bell(at.outside, 24);
   const double middle = std::max(0.0, at.thin);
   if (name == "mouthFunnel")
-    return {-0.20 * at.x * wide, (4.2 * upper - 6.0 * at.lower) * near * std::pow(middle, 0.7), near * (3.5 + 4.0 * middle)};
-  if (name == "mouthPucker") return {-0.36 * at.x * wide, away * near * at.red * middle, near * (5.0 + 4.0 * middle)};
+    return {-0.20 * at.x * wide, (5.0 * upper - 7.4 * at.lower) * near * std::pow(middle, 0.7),
+            near * (3.5 + 4.0 * middle)};
+  if (name == "mouthPucker") return {-0.30 * at.x * wide, away * near * at.red * middle, near * (5.0 + 4.0 * middle)};
   if (name == "mouthLeft") return {8.5 * wide, 0.5 * at.across * wide, -0.10 * at.x * wide};
   if (name == "mouthSmileLeft") {
     const double w = corner_weight(at, 17);
     // The cheek rounds up above a fold that runs from the nose past the corner.
     const double cheek = bell(at.x - 38, 15) * bell(at.y + 8, 13), fold = bell(at.x - 31, 4.5) * bell(at.y + 22, 10);
-    return Vector3{6.2 * w, 7.2 * w - 0.8 * away * at.red * w, -4.2 * w * smooth_step(0, 1, at.across)} +
+    return Vector3{6.4 * w, 8.4 * w - 0.8 * away * at.red * w, -5.2 * w * smooth_step(0, 1, at.across)} +
            smooth_step(1, 8, at.outside) * (cheek * Vector3{1.0, 2.4, 2.6} + fold * Vector3{0.0, 0.0, -1.4});
   }
   if (name == "mouthFrownLeft") {
@@ -64,12 +67,13 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
   }
   if (name == "mouthRollLower") return at.lower * roll(at, 1, 5.0, 1);
   if (name == "mouthRollUpper") return upper * roll(at, -1, 4.4, 0.6);
-  if (name == "mouthShrugLower")
-    return {0, (2.2 + 1.8 * at.lower * smooth_step(0, 8, at.outside)) * std::pow(middle, 0.7) * near *
-                   (at.lower + upper * bell(at.outside, 7)),
-            near * middle * 2.4 + at.lower * middle * 2.0 * bell(at.outside - 14, 9)};
-  if (name == "mouthShrugUpper")
-    return {0, 2.2 * upper * near * std::pow(middle, 0.7), 2.0 * upper * near * middle};
+  if (name == "mouthShrugLower") {
+    // The chin's muscle pushes both lips up and out, still shut.
+    const double lips = std::pow(middle, 0.7) * near * (at.lower + upper * bell(at.outside, 7));
+    const double chin = at.lower * middle * bell(at.outside - 17, 11);
+    return {0, 2.4 * lips + 3.2 * chin, near * middle * 2.4 + 2.0 * chin};
+  }
+  if (name == "mouthShrugUpper") return {0, 3.4 * upper * near * std::pow(middle, 0.7), 2.0 * upper * near * middle};
   if (name == "mouthPressLeft") {
     const double w = left_half(at.across) * bell(at.outside, 8);
     const double corner = corner_weight(at, 10);
@@ -82,7 +86,7 @@ Vector3 lip_offset(std::string_view name, const LipView& at) {
   }
   if (name == "mouthUpperUpLeft") {
     const double w = left_half(at.across) * upper * std::pow(middle, 0.6) * bell(at.outside, 15);
-    return {0.4 * w, 5.8 * w, 0.2 * w};
+    return {0.4 * w, 7.0 * w, 0.2 * w};
   }
   fail("'", name, "' is not a shape of the mouth");
 }

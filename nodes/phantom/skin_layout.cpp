@@ -11,13 +11,14 @@ namespace {
 
 using Loop = SkinVertex::Loop;
 
-constexpr int kHalfColumns = 42;   // azimuth columns from the front to the back
-constexpr int kFaceColumns = 22;   // of these, on the face
-constexpr int kNoseColumns = 7;    // of these, on the nose
+constexpr int kHalfColumns = 42;  // azimuth columns from the front to the back
+constexpr int kFaceColumns = 22;  // of these, on the face
+constexpr int kNoseColumns = 7;   // of these, on the nose
 constexpr double kNoseColumnDeg = 1.5, kFaceEndDeg = 44;
 // Rows from the bottom of the neck to the crown: neck, jaw and mouth, nose, eyes and forehead, scalp.
 constexpr int kNeckRows = 12, kMouthRows = 16, kNoseRows = 14, kEyeRows = 15, kScalpRows = 14;
-constexpr double kNeckBottomDeg = -80.6, kMouthBottomDeg = -44, kNoseBottomDeg = -10.4, kEyeBottomDeg = 8.2, kScalpBottomDeg = 40.5;
+constexpr double kNeckBottomDeg = -80.6, kMouthBottomDeg = -44, kNoseBottomDeg = -10.4, kEyeBottomDeg = 8.2,
+                 kScalpBottomDeg = 40.5;
 
 // A block of the grid, in columns and rows, that the loops around a hole replace.
 struct Block {
@@ -26,7 +27,7 @@ struct Block {
     return column > first_column && column < last_column && row > first_row && row < last_row;
   }
 };
-constexpr int kMouthRow = kNeckRows + 11;                          // elevation -20.9
+constexpr int kMouthRow = kNeckRows + 11;                        // elevation -20.9
 constexpr int kEyeRow = kNeckRows + kMouthRows + kNoseRows + 5;  // elevation 19
 constexpr Block kMouthBlock = {-13, 13, kMouthRow - 5, kMouthRow + 5};
 constexpr Block kLeftEyeBlock = {4, 19, kEyeRow - 5, kEyeRow + 5};
@@ -35,8 +36,8 @@ constexpr Block kRightEyeBlock = {-19, -4, kEyeRow - 5, kEyeRow + 5};
 double column_azimuth(int column) {
   const int c = std::abs(column);
   const int on_nose = std::min(c, kNoseColumns), beside = std::min(c, kFaceColumns) - on_nose;
-  double azimuth = kNoseColumnDeg * on_nose +
-                   beside * (kFaceEndDeg - kNoseColumnDeg * kNoseColumns) / (kFaceColumns - kNoseColumns);
+  double azimuth =
+      kNoseColumnDeg * on_nose + beside * (kFaceEndDeg - kNoseColumnDeg * kNoseColumns) / (kFaceColumns - kNoseColumns);
   double total = 0, part = 0;
   for (int k = kFaceColumns; k < kHalfColumns; ++k) {
     const double step = std::min(9.0, 2.4 + 0.9 * (k - kFaceColumns));
@@ -123,8 +124,7 @@ std::vector<std::vector<std::uint32_t>> Layout::add_loops(const Block& block, Lo
     std::vector<std::uint32_t> vertices;
     for (int c = 0; c < columns; ++c) {
       // The right eye's columns run the other way round, so that they match the left eye's.
-      const auto place = static_cast<std::size_t>(
-          loop == Loop::right_eye ? (columns - c + columns / 2) % columns : c);
+      const auto place = static_cast<std::size_t>(loop == Loop::right_eye ? (columns - c + columns / 2) % columns : c);
       SkinVertex vertex;
       vertex.loop = loop;
       vertex.ring = ring;
@@ -136,14 +136,15 @@ std::vector<std::vector<std::uint32_t>> Layout::add_loops(const Block& block, Lo
         vertices.push_back(v);
         continue;
       }
-      const Vector3 p = loop == Loop::mouth ? lip_point(std::min(ring, 0), c)
+      const Vector3 p = loop == Loop::mouth      ? lip_point(std::min(ring, 0), c)
                         : loop == Loop::left_eye ? lid_point(std::min(ring, kLidOuterRing), c)
                                                  : mirrored(lid_point(std::min(ring, kLidOuterRing), c));
       const int inner = loop == Loop::mouth ? 0 : kLidOuterRing;
       const SkinVertex& outer = skin.vertices[grid(outline[place][0], outline[place][1])];
       const double t = ring <= inner ? 0 : (ring - inner) / static_cast<double>(outermost - inner);
       const ChartPoint from = to_chart(p);
-      vertex.at = {lerp(from.azimuth_deg, outer.at.azimuth_deg, t), lerp(from.elevation_deg, outer.at.elevation_deg, t)};
+      vertex.at = {lerp(from.azimuth_deg, outer.at.azimuth_deg, t),
+                   lerp(from.elevation_deg, outer.at.elevation_deg, t)};
       vertices.push_back(add(vertex));
     }
     rings.push_back(vertices);
@@ -172,8 +173,7 @@ void Layout::add_polygons() {
     for (int column = -kHalfColumns; column < kHalfColumns; ++column) {
       if (inside(kMouthBlock, column, row) || inside(kLeftEyeBlock, column, row) || inside(kRightEyeBlock, column, row))
         continue;
-      head.add_polygon(
-          {grid(column, row), grid(column + 1, row), grid(column + 1, row + 1), grid(column, row + 1)});
+      head.add_polygon({grid(column, row), grid(column + 1, row), grid(column + 1, row + 1), grid(column, row + 1)});
     }
   for (int column = -kHalfColumns; column < kHalfColumns; ++column)
     head.add_polygon({grid(column, kRows - 1), grid(column + 1, kRows - 1), crown});
@@ -187,7 +187,8 @@ void Layout::add_polygons() {
     head.add_polygon({skin.mouth_rings[0][c], skin.mouth_rings[0][(c + 1) % kMouthColumns], throat});
 }
 
-// Vertices whose place is given by the lips, the lids or the far parts of the grid stay; the others settle between them.
+// Vertices whose place is given by the lips, the lids or the far parts of the grid stay; the others settle between
+// them.
 bool is_free(const SkinVertex& v) {
   if (v.loop == Loop::mouth) return v.ring > 0;
   if (v.loop != Loop::none) return v.ring > kLidOuterRing;
@@ -239,8 +240,7 @@ void place_vertices(HeadBuilder& head, const Skin& skin) {
     const Vector3 change = lip_point(0, c) - head.points_mm[skin.mouth(0, c)];
     for (int ring = kMouthDeepestRing; ring <= kMouthOuterRing; ++ring) {
       Vector3& point = head.points_mm[skin.mouth(ring, c)];
-      point = ring <= 0 ? lip_point(ring, c)
-                        : point + smooth_step(kMouthOuterRing, -0.5, ring) * change;
+      point = ring <= 0 ? lip_point(ring, c) : point + smooth_step(kMouthOuterRing, -0.5, ring) * change;
     }
   }
   for (int c = 0; c < kEyeColumns; ++c) {
@@ -248,9 +248,8 @@ void place_vertices(HeadBuilder& head, const Skin& skin) {
     for (int ring = kEyeDeepestRing; ring <= kEyeOuterRing; ++ring) {
       const std::uint32_t left = skin.left_eye(ring, c), right = skin.right_eye(ring, c);
       Vector3& point = head.points_mm[left];
-      point = ring <= kLidOuterRing
-                  ? lid_point(ring, c)
-                  : point + smooth_step(kEyeOuterRing, kLidOuterRing - 0.5, ring) * change;
+      point = ring <= kLidOuterRing ? lid_point(ring, c)
+                                    : point + smooth_step(kEyeOuterRing, kLidOuterRing - 0.5, ring) * change;
       head.points_mm[right] = mirrored(point);
     }
   }

@@ -25,9 +25,7 @@ inline Vector3 cross(Vector3 a, Vector3 b) {
 }
 inline Vector3 lerp(Vector3 a, Vector3 b, double t) { return a + (b - a) * t; }
 inline Vector3 mirrored(Vector3 a) { return {-a.x, a.y, a.z}; }
-inline Vec3f to_float(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
+inline Vec3f to_float(Vector3 a) { return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)}; }
 
 inline double lerp(double a, double b, double t) { return a + (b - a) * t; }
 inline double square(double x) { return x * x; }

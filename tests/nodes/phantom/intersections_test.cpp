@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lips, teeth, lids and eyeballs of the embedded head never pass through each other, at rest and at each shape's weight 1.
+// Lips, teeth, lids and eyeballs of the embedded head never pass through each other, at rest and at each shape's
+// weight 1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +75,8 @@ Triangles part_triangles(std::string_view name, double low_y, double high_y) {
 bool height_at(const Points& points, const std::array<std::uint32_t, 3>& t, double x, double z, bool facing_down,
                double& y) {
   const Vec3f &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-  const double abx = double{b[0]} - a[0], abz = double{b[2]} - a[2], acx = double{c[0]} - a[0], acz = double{c[2]} - a[2];
+  const double abx = double{b[0]} - a[0], abz = double{b[2]} - a[2], acx = double{c[0]} - a[0],
+               acz = double{c[2]} - a[2];
   const double area = abz * acx - abx * acz;  // twice the area seen from above; positive where the triangle faces up
   if (std::abs(area) < 1e-6 || (area < 0) != facing_down) return false;
   const double px = x - a[0], pz = z - a[2];
@@ -90,7 +92,8 @@ double depth_into_underside(const Points& points, const std::vector<std::uint32_
   for (const std::uint32_t v : below)
     for (const auto& triangle : above) {
       double y = 0;
-      if (height_at(points, triangle, points[v][0], points[v][2], true, y)) deepest = std::max(deepest, points[v][1] - y);
+      if (height_at(points, triangle, points[v][0], points[v][2], true, y))
+        deepest = std::max(deepest, points[v][1] - y);
     }
   return deepest;
 }
@@ -100,7 +103,8 @@ double depth_into_top(const Points& points, const std::vector<std::uint32_t>& ab
   for (const std::uint32_t v : above)
     for (const auto& triangle : below) {
       double y = 0;
-      if (height_at(points, triangle, points[v][0], points[v][2], false, y)) deepest = std::max(deepest, y - points[v][1]);
+      if (height_at(points, triangle, points[v][0], points[v][2], false, y))
+        deepest = std::max(deepest, y - points[v][1]);
     }
   return deepest;
 }
@@ -111,8 +115,8 @@ double lip_crossing(const Points& points) {
   return std::max(depth_into_underside(points, lower_vertices, upper), depth_into_top(points, upper_vertices, lower));
 }
 
-// How far a tooth stands out of the lips: the longest way from one of its vertices back towards the middle of the mouth to a
-// lip's surface. 0 where all teeth are inside.
+// How far a tooth stands out of the lips: the longest way from one of its vertices back towards the middle of the mouth
+// to a lip's surface. 0 where all teeth are inside.
 double teeth_through_lips(const Points& points) {
   static const std::vector<std::uint32_t> teeth = part_vertices("teeth");
   static const Triangles lips = [] {
@@ -135,7 +139,8 @@ double teeth_through_lips(const Points& points) {
         e2[k] = double{points[t[2]][k]} - points[t[0]][k];
         s[k] = double{o[k]} - points[t[0]][k];
       }
-      const double h[3] = {dir[1] * e2[2] - dir[2] * e2[1], dir[2] * e2[0] - dir[0] * e2[2], dir[0] * e2[1] - dir[1] * e2[0]};
+      const double h[3] = {dir[1] * e2[2] - dir[2] * e2[1], dir[2] * e2[0] - dir[0] * e2[2],
+                           dir[0] * e2[1] - dir[1] * e2[0]};
       const double det = e1[0] * h[0] + e1[1] * h[1] + e1[2] * h[2];
       if (std::abs(det) < 1e-9) continue;
       const double u = (s[0] * h[0] + s[1] * h[1] + s[2] * h[2]) / det;
@@ -157,7 +162,8 @@ double teeth_crossing(const Points& points) {
   return std::max(depth_into_underside(points, lower_vertices, upper), depth_into_top(points, upper_vertices, lower));
 }
 
-// Smallest distance of the left lids, front edge and skin, from the eyeball; negative inside it. Vertices and polygon middles.
+// Smallest distance of the left lids, front edge and skin, from the eyeball; negative inside it. Vertices and polygon
+// middles.
 double lid_clearance(const Points& points) {
   double smallest = 1e9;
   const auto from_ball = [&](std::initializer_list<std::uint32_t> vertices) {
@@ -228,19 +234,28 @@ TEST(HeadIntersections, AreAbsentInTheMouthsOfSpeech) {
     EXPECT_EQ(teeth_through_lips(points), 0) << sound;
     EXPECT_EQ(teeth_crossing(points), 0) << sound;
   };
-  expect_clean("B", {{"jawOpen", 0.15f}, {"mouthClose", 0.15f}, {"mouthRollLower", 0.4f}, {"mouthRollUpper", 0.4f},
-                     {"mouthPressLeft", 0.3f}, {"mouthPressRight", 0.3f}});
+  expect_clean("B", {{"jawOpen", 0.15f},
+                     {"mouthClose", 0.15f},
+                     {"mouthRollLower", 0.4f},
+                     {"mouthRollUpper", 0.4f},
+                     {"mouthPressLeft", 0.3f},
+                     {"mouthPressRight", 0.3f}});
   expect_clean("F", {{"mouthRollLower", 0.9f}, {"mouthUpperUpLeft", 0.4f}, {"mouthUpperUpRight", 0.4f}});
   expect_clean("U", {{"jawOpen", 0.08f}, {"mouthFunnel", 0.4f}, {"mouthPucker", 0.6f}});
-  expect_clean("EE", {{"jawOpen", 0.1f}, {"mouthSmileLeft", 0.5f}, {"mouthSmileRight", 0.5f}, {"mouthStretchLeft", 0.3f},
+  expect_clean("EE", {{"jawOpen", 0.1f},
+                      {"mouthSmileLeft", 0.5f},
+                      {"mouthSmileRight", 0.5f},
+                      {"mouthStretchLeft", 0.3f},
                       {"mouthStretchRight", 0.3f}});
   expect_clean("AA", {{"jawOpen", 0.6f}, {"mouthLowerDownLeft", 0.3f}, {"mouthLowerDownRight", 0.3f}});
 }
 
 TEST(HeadIntersections, AreAbsentOnTheWayToABlink) {
-  // Lids move on straight lines past a round eye; their edge may lose half of its clearance, but never dip into the eye.
+  // Lids move on straight lines past a round eye; their edge may lose half of its clearance, but never dip into the
+  // eye.
   for (const char* name : {"eyeBlinkLeft", "eyeLookDownLeft", "eyeSquintLeft"})
-    for (const float w : {0.25f, 0.5f, 0.75f}) EXPECT_GT(lid_clearance(posed({{name, w}})), -1.2) << name << " at " << w;
+    for (const float w : {0.25f, 0.5f, 0.75f})
+      EXPECT_GT(lid_clearance(posed({{name, w}})), -1.2) << name << " at " << w;
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ TEST(MakeHead, HasAtLeastFiveThousandVerticesMostlyInQuads) {
   const face::Mesh& mesh = head().neutral;
   EXPECT_GE(mesh.points_mm.size(), 5000u);
   std::size_t quads = 0;
-  for (std::size_t f = 0; f < mesh.polygon_count(); ++f) quads += mesh.polygon_starts[f + 1] - mesh.polygon_starts[f] == 4;
+  for (std::size_t f = 0; f < mesh.polygon_count(); ++f)
+    quads += mesh.polygon_starts[f + 1] - mesh.polygon_starts[f] == 4;
   EXPECT_GE(static_cast<double>(quads), 0.9 * static_cast<double>(mesh.polygon_count()));
 }
 
@@ -73,8 +74,8 @@ TEST(MakeHead, HasPartsThatTileThePolygons) {
     next += part.polygon_count;
   }
   EXPECT_EQ(next, mesh.polygon_count());
-  for (const char* name : {"face", "mouth_socket", "gums", "teeth", "tongue", "sclera_left", "sclera_right", "iris_left",
-                           "iris_right", "brows", "lashes"})
+  for (const char* name : {"face", "mouth_socket", "gums", "teeth", "tongue", "sclera_left", "sclera_right",
+                           "iris_left", "iris_right", "brows", "lashes"})
     EXPECT_TRUE(names.count(name)) << name;
 }
 
@@ -127,10 +128,10 @@ TEST(MakeHead, HasTheSixtyEightLandmarksInMultiPieOrder) {
   for (const auto& [upper, lower] : {std::pair{61, 67}, std::pair{62, 66}, std::pair{63, 65}})
     EXPECT_LT(distance(at(static_cast<std::size_t>(upper)), at(static_cast<std::size_t>(lower))), 0.01);
   // Mirror pairs of the 68.
-  for (const auto& [right, left] : {std::pair{0, 16}, std::pair{7, 9}, std::pair{17, 26}, std::pair{21, 22}, std::pair{31, 35},
-                                    std::pair{36, 45}, std::pair{37, 44}, std::pair{39, 42}, std::pair{41, 46},
-                                    std::pair{48, 54}, std::pair{50, 52}, std::pair{59, 55}, std::pair{60, 64},
-                                    std::pair{67, 65}}) {
+  for (const auto& [right, left] :
+       {std::pair{0, 16}, std::pair{7, 9}, std::pair{17, 26}, std::pair{21, 22}, std::pair{31, 35}, std::pair{36, 45},
+        std::pair{37, 44}, std::pair{39, 42}, std::pair{41, 46}, std::pair{48, 54}, std::pair{50, 52},
+        std::pair{59, 55}, std::pair{60, 64}, std::pair{67, 65}}) {
     const Vec3f a = at(static_cast<std::size_t>(right)), b = at(static_cast<std::size_t>(left));
     EXPECT_EQ((Vec3f{-a[0], a[1], a[2]}), b) << right << " and " << left;
   }

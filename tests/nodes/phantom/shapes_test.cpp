@@ -79,7 +79,7 @@ Region region_of(const std::string& name) {
   if (name == "browInnerUp") return {-45, 45, 22, 100, skin};
   if (name.starts_with("brow")) return {-3, 70, 22, 100, skin};
   if (name.starts_with("jaw")) return {-90, 90, -150, 25, jaw};
-  if (name == "cheekPuff") return {-80, 80, -80, 30, {"face"}};
+  if (name == "cheekPuff") return {-80, 80, -80, 30, lips};
   if (name == "cheekSquintLeft") return {3, 80, -40, 35, {"face"}};
   if (name == "noseSneerLeft") return {-8, 50, -30, 70, {"face", "brows"}};
   return {left ? -14.0 : -80.0, 80, -100, 25, lips};
@@ -96,7 +96,8 @@ TEST(HeadShapes, MoveTheirOwnRegionOnly) {
       const std::uint32_t v = shape.vertices[k];
       const Vec3f p = head().neutral.points_mm[v];
       ASSERT_TRUE(allowed.count(v)) << shape.name << " moves vertex " << v << " of another part";
-      const bool inside = p[0] >= region.low_x && p[0] <= region.high_x && p[1] >= region.low_y && p[1] <= region.high_y;
+      const bool inside =
+          p[0] >= region.low_x && p[0] <= region.high_x && p[1] >= region.low_y && p[1] <= region.high_y;
       ASSERT_TRUE(inside || distance(shape.offsets_mm[k], {0, 0, 0}) < 0.25)
           << shape.name << " moves (" << p[0] << ", " << p[1] << ", " << p[2] << ") by "
           << distance(shape.offsets_mm[k], {0, 0, 0}) << " mm";
@@ -194,16 +195,22 @@ TEST(HeadShapes, RaiseOrLowerTheCornersOfTheMouth) {
 
 // Speech: what the viseme table combines.
 TEST(HeadShapes, PressTheLipsTogetherForBilabials) {
-  const auto points = posed({{"jawOpen", 0.15f}, {"mouthClose", 0.15f}, {"mouthRollLower", 0.4f}, {"mouthRollUpper", 0.4f},
-                             {"mouthPressLeft", 0.3f}, {"mouthPressRight", 0.3f}});
+  const auto points = posed({{"jawOpen", 0.15f},
+                             {"mouthClose", 0.15f},
+                             {"mouthRollLower", 0.4f},
+                             {"mouthRollUpper", 0.4f},
+                             {"mouthPressLeft", 0.3f},
+                             {"mouthPressRight", 0.3f}});
   EXPECT_GE(narrowest_lip_gap(points), -0.3);
   EXPECT_LE(widest_lip_gap(points), 0.3);
 }
 
 TEST(HeadShapes, BringTheLowerLipToTheUpperTeethForLabiodentals) {
   EXPECT_GT(lip_to_teeth(head().neutral.points_mm), 1.2);
-  EXPECT_LE(lip_to_teeth(posed({{"mouthRollLower", 0.9f}, {"mouthUpperUpLeft", 0.4f}, {"mouthUpperUpRight", 0.4f}})), 1.0);
-  EXPECT_LE(lip_to_teeth(posed({{"jawOpen", 0.1f}, {"mouthClose", 0.08f}, {"mouthRollLower", 0.9f}, {"mouthShrugUpper", 0.5f}})),
+  EXPECT_LE(lip_to_teeth(posed({{"mouthRollLower", 0.9f}, {"mouthUpperUpLeft", 0.4f}, {"mouthUpperUpRight", 0.4f}})),
+            1.0);
+  EXPECT_LE(lip_to_teeth(
+                posed({{"jawOpen", 0.1f}, {"mouthClose", 0.08f}, {"mouthRollLower", 0.9f}, {"mouthShrugUpper", 0.5f}})),
             1.0);
 }
 
