@@ -50,7 +50,7 @@ std::vector<Part> plain_parts(const Obj& obj) {
 
 bool is_obj_rig(const engine::File& folder) { return find_neutral(folder) != nullptr; }
 
-Rig read_obj_rig(const engine::File& folder, LengthUnit unit) {
+Rig read_obj_rig(const engine::File& folder, const ShapeNames& names, LengthUnit unit) {
   const engine::File::Entry* neutral = find_neutral(folder);
   check(neutral != nullptr, title_of(folder), ": holds no ", neutral_names[0]);
   const Obj obj = read_obj(read_bytes_at(neutral->path, neutral->name), neutral->name);
@@ -69,7 +69,7 @@ Rig read_obj_rig(const engine::File& folder, LengthUnit unit) {
   mesh.corner_uvs = obj.corner_uvs;
   if (!obj.corner_uvs.empty()) mesh.uvs = obj.uvs;
 
-  ShapeCollector shapes;
+  ShapeCollector shapes(names);
   std::vector<Vec3f> offsets(obj.points.size());
   for (const engine::File::Entry& entry : folder.entries()) {
     if (!is_shape_file(entry.name, neutral->name)) continue;

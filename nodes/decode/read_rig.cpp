@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/read_rig.h"
 
-#include "nodes/base/check.h"
+#include "nodes/decode/gltf_rig.h"
 #include "nodes/decode/ict_rig.h"
-#include "nodes/decode/input_file.h"
+#include "nodes/decode/rig_shapes.h"
 
 namespace face::decode {
 
 Rig read_rig(const engine::File& file, const engine::File* names, const ReadRigOptions& options) {
-  (void)names;
-  if (file.is_folder()) {
-    if (is_obj_rig(file)) return read_obj_rig(file, options.unit);
-    fail(title_of(file), ": is not a rig: found ", file.entries().size(),
-         " files, expected an ICT-FaceKit folder with generic_neutral_mesh.obj and one OBJ file per shape");
-  }
-  fail(title_of(file), ": is not a rig: expected an ICT-FaceKit folder or a GLB or glTF file with morph targets");
+  const ShapeNames shape_names = names ? read_shape_names(*names) : ShapeNames();
+  if (file.is_folder() && is_obj_rig(file)) return read_obj_rig(file, shape_names, options.unit);
+  return read_gltf_rig(file, shape_names, options.unit);
 }
 
 }  // namespace face::decode

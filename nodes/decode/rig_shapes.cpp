@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/decode/input_file.h"
+#include "nodes/decode/json_file.h"
 #include "nodes/types/arkit.h"
 
 namespace face::decode {
@@ -80,8 +82,24 @@ std::string arkit_spelling(std::string_view name) {
   return std::string(name);
 }
 
+ShapeNames read_shape_names(const engine::File& file) {
+  ShapeNames names{title_of(file), {}};
+  const nlohmann::ordered_json json = read_json(file);
+  if (!json.is_object())
+    fail(names.title, ": found ", describe_json(json), ", expected an object of shape names and ARKit's names for them");
+  for (const auto& [name, value] : json.items()) {
+    const std::string arkit = value.is_string() ? value.get<std::string>() : std::string();
+    if (arkit_index(arkit) == arkit_count)
+      fail(names.title, " at /", name, ": found ", describe_json(value), ", expected one of ARKit's 52 names (jawOpen, ...)");
+    names.to_arkit[name] = arkit;
+  }
+  return names;
+}
+
 void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offsets_mm) {
-  Shape shape{arkit_spelling(name), {}, {}};
+  const auto mapped = names_.to_arkit.find(std::string(name));
+  seen_.emplace(name);
+  Shape shape{mapped != names_.to_arkit.end() ? mapped->second : arkit_spelling(name), {}, {}};
   for (std::size_t v = 0; v < offsets_mm.size(); ++v) {
     const Vec3f& d = offsets_mm[v];
     if (std::abs(d[0]) <= still_mm && std::abs(d[1]) <= still_mm && std::abs(d[2]) <= still_mm) continue;
@@ -96,6 +114,9 @@ void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offset
 }
 
 void ShapeCollector::finish(const std::string& title, Rig& rig) const {
+  for (const auto& [name, arkit] : names_.to_arkit)
+    if (!seen_.contains(name))
+      fail(names_.title, " at /", name, ": ", title, " has no such shape. Found ", seen_.empty() ? "no shapes" : joined(seen_));
   std::vector<std::string> found, lacking;
   for (const Shape& shape : shapes_) found.push_back(shape.name);
   for (const std::string_view needed : needed_shapes)

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "engine/port.h"
 #include "nodes/types/rig.h"
 
 namespace face::decode {
@@ -17,16 +21,31 @@ inline constexpr std::string_view needed_shapes[] = {"jawOpen",     "mouthClose"
 // A side of an ARKit shape that has none (browInnerUp_L, cheekPuff_R) is that shape: its halves are added up.
 std::string arkit_spelling(std::string_view name);
 
+// Names of a file's shapes and what ARKit calls them.
+struct ShapeNames {
+  std::string title;                            // of the file that says so
+  std::map<std::string, std::string> to_arkit;  // by the file's name
+};
+
+// Reads {"the file's name": "ARKit's name", ...}. Throws where a value is not ARKit's.
+ShapeNames read_shape_names(const engine::File& file);
+
 // Gathers shapes as a file gives them and sorts them into a rig's order: the ARKit-52, then the others as they came.
 class ShapeCollector {
  public:
+  ShapeCollector() = default;
+  explicit ShapeCollector(ShapeNames names) : names_(std::move(names)) {}
+
   // offsets_mm: one per vertex. Several of one name are added up.
   void add(std::string_view name, const std::vector<Vec3f>& offsets_mm);
 
-  // Fills rig.shapes and rig.missing. Throws where a needed shape is absent; `title` names the file.
+  // Fills rig.shapes and rig.missing. Throws where a needed shape is absent, or a name to be mapped was not seen; `title`
+  // names the file.
   void finish(const std::string& title, Rig& rig) const;
 
  private:
+  ShapeNames names_;
+  std::set<std::string> seen_;
   std::vector<Shape> shapes_;
 };
 

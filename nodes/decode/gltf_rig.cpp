@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/gltf_rig.h"
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/gltf_accessor.h"
+#include "nodes/decode/input_file.h"
+#include "nodes/decode/mouth_marks.h"
+
+namespace face::decode {
+namespace {
+
+// 4 x 4, column after column.
+using Matrix = std::array<double, 16>;
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix out{};
+  for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t r = 0; r < 4; ++r)
+      for (std::size_t k = 0; k < 4; ++k) out[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k];
+  return out;
+}
+
+// w = 1 for points, 0 for offsets.
+Vec3f apply(const Matrix& m, const float* p, double w) {
+  Vec3f out;
+  for (std::size_t r = 0; r < 3; ++r)
+    out[r] = static_cast<float>(m[r] * static_cast<double>(p[0]) + m[4 + r] * static_cast<double>(p[1]) +
+                                m[8 + r] * static_cast<double>(p[2]) + m[12 + r] * w);
+  return out;
+}
+
+Matrix matrix_of(const tinygltf::Node& node) {
+  Matrix m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  if (node.matrix.size() == 16) {
+    std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
+    return m;
+  }
+  if (node.rotation.size() == 4) {
+    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
+    m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
+         2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
+         2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1};
+  }
+  if (node.scale.size() == 3)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t r = 0; r < 3; ++r) m[c * 4 + r] *= node.scale[c];
+  if (node.translation.size() == 3)
+    for (std::size_t r = 0; r < 3; ++r) m[12 + r] = node.translation[r];
+  return m;
+}
+
+float srgb(double linear) {
+  const double x = std::clamp(linear, 0.0, 1.0);
+  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+// The file's vertices as they are, before those that texture seams doubled are merged.
+struct Raw {
+  std::vector<Vec3f> points;
+  std::vector<Vec2f> uvs;
+  std::vector<Vec3f> colors;
+  bool any_uvs = false, any_colors = false;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Part> parts;
+  std::vector<std::string> shape_names;         // in order of appearance
+  std::vector<std::vector<Vec3f>> shape_offsets;  // of each: one per vertex so far
+  const tinygltf::Value* notes = nullptr;       // extras.facegraph
+};
+
+class Collector {
+ public:
+  Collector(const tinygltf::Model& model, const std::string& title) : model_(model), title_(title) {}
+
+  Raw collect() {
+    std::vector<int> roots;
+    if (!model_.scenes.empty()) {
+      const int scene = std::clamp(model_.defaultScene, 0, static_cast<int>(model_.scenes.size()) - 1);
+      roots = model_.scenes[static_cast<std::size_t>(scene)].nodes;
+    } else {
+      for (std::size_t i = 0; i < model_.nodes.size(); ++i) roots.push_back(static_cast<int>(i));
+    }
+    for (const int root : roots) visit(root, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 0);
+    for (auto& offsets : raw_.shape_offsets) offsets.resize(raw_.points.size());
+    return std::move(raw_);
+  }
+
+ private:
+  void visit(int index, const Matrix& parent, int depth) {
+    check(index >= 0 && static_cast<std::size_t>(index) < model_.nodes.size(), title_, ": refers to node ", index, " of ",
+          model_.nodes.size());
+    check(depth < 256, title_, ": node ", index, " is its own ancestor, expected a tree of nodes");
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+    const Matrix world = product(parent, matrix_of(node));
+    if (node.mesh >= 0 && static_cast<std::size_t>(node.mesh) < model_.meshes.size())
+      // A skinned mesh is placed by its joints: its node's place does not count (glTF 2.0, section 3.7.3.3).
+      add_mesh(model_.meshes[static_cast<std::size_t>(node.mesh)], node.skin >= 0 ? matrix_of({}) : world);
+    for (const int child : node.children) visit(child, world, depth + 1);
+  }
+
+  void add_mesh(const tinygltf::Mesh& mesh, const Matrix& world) {
+    if (mesh.extras.IsObject() && mesh.extras.Has("facegraph")) raw_.notes = &mesh.extras.Get("facegraph");
+    std::map<int, std::uint32_t> first_of;  // primitives may share their vertices
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      const auto position = primitive.attributes.find("POSITION");
+      if (position == primitive.attributes.end()) continue;
+      const auto [place, added] = first_of.try_emplace(position->second, static_cast<std::uint32_t>(raw_.points.size()));
+      if (added) add_vertices(mesh, primitive, position->second, world);
+      add_triangles(primitive, place->second, static_cast<std::uint32_t>(raw_.points.size()), mesh);
+    }
+  }
+
+  void add_vertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, int position, const Matrix& world) {
+    const std::size_t first = raw_.points.size();
+    const std::vector<float> points = read_floats(model_, position, 3, title_);
+    const std::size_t count = points.size() / 3;
+    for (std::size_t v = 0; v < count; ++v) raw_.points.push_back(apply(world, &points[v * 3], 1));
+    raw_.uvs.resize(first + count);
+    raw_.colors.resize(first + count, Vec3f{1, 1, 1});
+    if (const auto uv = primitive.attributes.find("TEXCOORD_0"); uv != primitive.attributes.end()) {
+      const std::vector<float> values = read_floats(model_, uv->second, 2, title_);
+      expect_rows(values.size() / 2, count, "texture coordinates");
+      for (std::size_t v = 0; v < count; ++v) raw_.uvs[first + v] = {values[v * 2], 1 - values[v * 2 + 1]};
+      raw_.any_uvs = true;
+    }
+    if (const auto color = primitive.attributes.find("COLOR_0"); color != primitive.attributes.end()) {
+      const auto accessor = static_cast<std::size_t>(std::max(color->second, 0));
+      const int width = accessor < model_.accessors.size() && model_.accessors[accessor].type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
+      const std::vector<float> values = read_floats(model_, color->second, width, title_);
+      expect_rows(values.size() / static_cast<std::size_t>(width), count, "colours");
+      for (std::size_t v = 0; v < count; ++v)
+        for (std::size_t k = 0; k < 3; ++k)
+          raw_.colors[first + v][k] = srgb(static_cast<double>(values[v * static_cast<std::size_t>(width) + k]));
+      raw_.any_colors = true;
+    }
+    for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
+      const auto target = primitive.targets[t].find("POSITION");
+      if (target == primitive.targets[t].end()) continue;
+      const std::vector<float> values = read_floats(model_, target->second, 3, title_);
+      expect_rows(values.size() / 3, count, "offsets of shape " + target_name(mesh, t));
+      std::vector<Vec3f>& offsets = offsets_of(target_name(mesh, t));
+      offsets.resize(first + count);
+      for (std::size_t v = 0; v < count; ++v) offsets[first + v] = apply(world, &values[v * 3], 0);
+    }
+  }
+
+  void expect_rows(std::size_t found, std::size_t count, const std::string& what) const {
+    if (found != count) fail(title_, ": has ", found, " ", what, ", its mesh has ", count, " vertices");
+  }
+
+  static std::string target_name(const tinygltf::Mesh& mesh, std::size_t index) {
+    if (mesh.extras.IsObject() && mesh.extras.Has("targetNames")) {
+      const tinygltf::Value& names = mesh.extras.Get("targetNames");
+      if (names.IsArray() && index < names.ArrayLen() && names.Get(static_cast<int>(index)).IsString())
+        return names.Get(static_cast<int>(index)).Get<std::string>();
+    }
+    return message("target ", index, " (unnamed)");
+  }
+
+  std::vector<Vec3f>& offsets_of(const std::string& name) {
+    for (std::size_t s = 0; s < raw_.shape_names.size(); ++s)
+      if (raw_.shape_names[s] == name) return raw_.shape_offsets[s];
+    raw_.shape_names.push_back(name);
+    return raw_.shape_offsets.emplace_back();
+  }
+
+  void add_triangles(const tinygltf::Primitive& primitive, std::uint32_t first, std::uint32_t end, const tinygltf::Mesh& mesh) {
+    std::vector<std::uint32_t> corners;
+    if (primitive.indices >= 0) {
+      corners = read_indices(model_, primitive.indices, title_);
+    } else {
+      for (std::uint32_t v = first; v < end; ++v) corners.push_back(v - first);
+    }
+    for (std::uint32_t& v : corners) {
+      if (v >= end - first) fail(title_, ": a triangle has vertex ", v, ", its mesh has ", end - first);
+      v += first;
+    }
+    const auto begin = static_cast<std::uint32_t>(raw_.triangles.size());
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    if (mode == TINYGLTF_MODE_TRIANGLES)
+      for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        raw_.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
+      for (std::size_t i = 0; i + 2 < corners.size(); ++i)
+        raw_.triangles.push_back({corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+      for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        raw_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+    Part part = part_of(primitive, mesh);
+    part.first_polygon = begin;
+    part.polygon_count = static_cast<std::uint32_t>(raw_.triangles.size()) - begin;
+    if (part.polygon_count > 0) raw_.parts.push_back(part);
+  }
+
+  Part part_of(const tinygltf::Primitive& primitive, const tinygltf::Mesh& mesh) const {
+    Part part;
+    part.name = lower(mesh.name);
+    if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model_.materials.size()) return part;
+    const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(primitive.material)];
+    // The mesh says what it is where it is teeth; else the material's name is the finer one.
+    const bool teeth = part.name.find("teeth") != std::string::npos || part.name.find("tooth") != std::string::npos;
+    if (!teeth && !material.name.empty()) part.name = lower(material.name);
+    const auto& look = material.pbrMetallicRoughness;
+    if (look.baseColorTexture.index < 0 && look.baseColorFactor.size() == 4)
+      for (std::size_t k = 0; k < 3; ++k) part.albedo_srgb[k] = srgb(look.baseColorFactor[k]);
+    part.gloss = std::clamp(static_cast<float>((0.8 - look.roughnessFactor) / 0.65), 0.0f, 1.0f);
+    part.visible = material.alphaMode == "OPAQUE" || look.baseColorFactor.size() < 4 || look.baseColorFactor[3] > 0.3;
+    return part;
+  }
+
+  const tinygltf::Model& model_;
+  const std::string& title_;
+  Raw raw_;
+};
+
+std::vector<std::uint32_t> note_indices(const tinygltf::Value& notes, const char* key, std::size_t limit,
+                                        const std::string& title) {
+  std::vector<std::uint32_t> out;
+  if (!notes.IsObject() || !notes.Has(key) || !notes.Get(key).IsArray()) return out;
+  const tinygltf::Value& list = notes.Get(key);
+  const auto add = [&](const tinygltf::Value& value) {
+    const double index = value.IsNumber() ? value.GetNumberAsDouble() : -1;
+    if (index < 0 || index >= static_cast<double>(limit))
+      fail(title, " at extras.facegraph.", key, ": found vertex ", index, ", expected one of 0 to ", limit - 1);
+    out.push_back(static_cast<std::uint32_t>(index));
+  };
+  for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
+    const tinygltf::Value& row = list.Get(i);
+    if (!row.IsArray()) {
+      add(row);
+      continue;
+    }
+    for (int k = 0; k < static_cast<int>(row.ArrayLen()); ++k) add(row.Get(k));
+  }
+  return out;
+}
+
+// For every vertex of the file, the vertex of the rig. Our own files say which are copies; in others, vertices at one place that
+// all shapes move alike are one.
+std::vector<std::uint32_t> merge(const Raw& raw, const std::string& title, std::size_t& count) {
+  std::vector<std::uint32_t> to(raw.points.size());
+  if (raw.notes && raw.notes->Has("vertex_count") && raw.notes->Get("vertex_count").IsNumber()) {
+    const double stated = raw.notes->Get("vertex_count").GetNumberAsDouble();
+    const std::size_t own = stated > 0 && stated <= static_cast<double>(to.size()) ? static_cast<std::size_t>(stated) : 0;
+    const std::vector<std::uint32_t> copies = own > 0 ? note_indices(*raw.notes, "copies", own, title) : std::vector<std::uint32_t>();
+    if (own > 0 && own + copies.size() == to.size()) {
+      for (std::size_t v = 0; v < to.size(); ++v) to[v] = v < own ? static_cast<std::uint32_t>(v) : copies[v - own];
+      count = own;
+      return to;
+    }
+  }
+  const auto alike = [&](std::uint32_t a, std::uint32_t b) {
+    if (raw.colors[a] != raw.colors[b]) return false;
+    for (const auto& offsets : raw.shape_offsets)
+      if (offsets[a] != offsets[b]) return false;
+    return true;
+  };
+  std::map<Vec3f, std::vector<std::uint32_t>> at_place;
+  count = 0;
+  for (std::uint32_t v = 0; v < to.size(); ++v) {
+    std::vector<std::uint32_t>& here = at_place[raw.points[v]];
+    const auto same = std::find_if(here.begin(), here.end(), [&](std::uint32_t other) { return alike(other, v); });
+    if (same != here.end()) {
+      to[v] = to[*same];
+    } else {
+      to[v] = static_cast<std::uint32_t>(count++);
+      here.push_back(v);
+    }
+  }
+  return to;
+}
+
+template <class T>
+std::vector<T> gather(const std::vector<T>& raw, const std::vector<std::uint32_t>& to, std::size_t count) {
+  std::vector<T> out(count);
+  for (std::size_t v = raw.size(); v-- > 0;) out[to[v]] = raw[v];  // the first of several wins
+  return out;
+}
+
+void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig) {
+  const std::size_t count = rig.neutral.points_mm.size();
+  const std::vector<std::uint32_t> pairs = note_indices(notes, "inner_lips", count, title);
+  check(pairs.size() % 2 == 0, title, " at extras.facegraph.inner_lips: found ", pairs.size(), " vertices, expected pairs");
+  for (std::size_t i = 0; i < pairs.size(); i += 2) rig.inner_lips.push_back({pairs[i], pairs[i + 1]});
+  rig.lower_lip = note_indices(notes, "lower_lip", count, title);
+  rig.upper_teeth = note_indices(notes, "upper_teeth", count, title);
+  rig.landmarks68 = note_indices(notes, "landmarks68", count, title);
+  if (notes.Has("parts") && notes.Get("parts").ArrayLen() == rig.neutral.parts.size())
+    for (std::size_t i = 0; i < rig.neutral.parts.size(); ++i) {
+      const tinygltf::Value& part = notes.Get("parts").Get(static_cast<int>(i));
+      if (!part.IsObject()) continue;
+      if (part.Has("name") && part.Get("name").IsString()) rig.neutral.parts[i].name = part.Get("name").Get<std::string>();
+      if (part.Has("gloss") && part.Get("gloss").IsNumber())
+        rig.neutral.parts[i].gloss = static_cast<float>(part.Get("gloss").GetNumberAsDouble());
+      rig.neutral.parts[i].visible = true;  // the exporter leaves the others out
+    }
+  if (!notes.Has("missing") || !notes.Get("missing").IsArray()) return;
+  rig.missing.clear();
+  for (int i = 0; i < static_cast<int>(notes.Get("missing").ArrayLen()); ++i)
+    if (notes.Get("missing").Get(i).IsString()) rig.missing.push_back(notes.Get("missing").Get(i).Get<std::string>());
+}
+
+// The glTF file of a folder that has one, or the file itself.
+engine::File main_file(const engine::File& file) {
+  if (!file.is_folder()) return file;
+  std::vector<const engine::File::Entry*> found;
+  for (const engine::File::Entry& entry : file.entries())
+    if (lower(entry.name).ends_with(".glb") || lower(entry.name).ends_with(".gltf")) found.push_back(&entry);
+  if (found.size() != 1)
+    fail(title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", found.size(),
+         " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
+         "glTF file with its buffers");
+  return engine::File::at(found.front()->path);
+}
+
+// Lets tinygltf read what the node was given, and nothing else.
+tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.user_data = const_cast<engine::File*>(&file);
+  callbacks.FileExists = [](const std::string& name, void* user) {
+    return !static_cast<const engine::File*>(user)->find(name).empty();
+  };
+  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
+    try {
+      const std::string path = static_cast<const engine::File*>(user)->find(name);
+      if (path.empty()) return false;
+      const std::string bytes = read_bytes_at(path, name);
+      out->assign(bytes.begin(), bytes.end());
+      return true;
+    } catch (const Error& failure) {
+      if (error) *error += failure.what();
+      return false;
+    }
+  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  return callbacks;
+}
+
+tinygltf::Model load(const engine::File& given, const engine::File& main, const std::string& title) {
+  const std::string bytes = read_bytes(main);
+  check(!bytes.empty(), title, ": is empty (0 bytes), expected a GLB or glTF file");
+  const bool binary = bytes.starts_with("glTF");
+  const std::size_t text = bytes.find_first_not_of(" \t\r\n");
+  if (!binary && (text == std::string::npos || (bytes[text] != '{' && !bytes.starts_with("\xEF\xBB\xBF"))))
+    fail(title, ": is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an ICT-FaceKit folder, or a GLB or glTF "
+         "file with morph targets");
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks(callbacks_for(given));
+  // Pictures are left as they are: parts have a colour each.
+  loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                           void*) { return true; },
+                        nullptr);
+  tinygltf::Model model;
+  std::string error, warning;
+  const auto size = static_cast<unsigned>(bytes.size());
+  const bool read = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                         reinterpret_cast<const unsigned char*>(bytes.data()), size)
+                           : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
+  std::replace(error.begin(), error.end(), '\n', ' ');
+  while (!error.empty() && error.back() == ' ') error.pop_back();
+  if (!read) fail(title, ": cannot be read as glTF: ", error.empty() ? "it is damaged" : error);
+  return model;
+}
+
+}  // namespace
+
+Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit) {
+  const engine::File main = main_file(file);
+  const std::string title = title_of(main);
+  const tinygltf::Model model = load(file, main, title);
+  const Raw raw = Collector(model, title).collect();
+  if (raw.triangles.empty()) fail(title, ": is not a rig: found no mesh in its scene, expected one with morph targets");
+  if (raw.shape_names.empty())
+    fail(title, ": is not a rig: found a mesh of ", raw.points.size(), " vertices without morph targets");
+
+  std::size_t count = 0;
+  const std::vector<std::uint32_t> to = merge(raw, title, count);
+  const float scale = mm_per_unit(unit, raw.points);
+  const auto in_mm = [&](const std::vector<Vec3f>& values) {
+    std::vector<Vec3f> out = gather(values, to, count);
+    for (Vec3f& value : out)
+      for (float& x : value) x *= scale;
+    return out;
+  };
+  Rig rig;
+  Mesh& mesh = rig.neutral;
+  mesh.points_mm = in_mm(raw.points);
+  if (raw.any_uvs) mesh.uvs = raw.uvs;
+  if (raw.any_colors) mesh.colors_srgb = gather(raw.colors, to, count);
+  mesh.parts = raw.parts;
+  mesh.polygon_starts.push_back(0);
+  for (const auto& triangle : raw.triangles) {
+    for (const std::uint32_t v : triangle) {
+      mesh.corners.push_back(to[v]);
+      if (raw.any_uvs) mesh.corner_uvs.push_back(v);
+    }
+    mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  ShapeCollector shapes(names);
+  for (std::size_t s = 0; s < raw.shape_names.size(); ++s) shapes.add(raw.shape_names[s], in_mm(raw.shape_offsets[s]));
+  shapes.finish(title, rig);
+  if (raw.notes) read_notes(*raw.notes, title, rig);
+  find_mouth_marks(rig);
+  return rig;
+}
+
+}  // namespace face::decode

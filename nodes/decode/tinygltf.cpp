@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one place of this area that compiles tinygltf (header-only). Pictures are not read.
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
