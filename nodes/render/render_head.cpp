@@ -32,6 +32,7 @@ constexpr double margin = 1.06;  // of the picture over the head
 
 Bounds visible_bounds(const Mesh& mesh) {
   Bounds bounds;
+  if (mesh.polygon_count() == 0) return bounds;
   const auto add_polygons = [&](std::size_t first, std::size_t count) {
     for (std::size_t c = mesh.polygon_starts[first]; c < mesh.polygon_starts[first + count]; ++c)
       bounds.add(mesh.points_mm[mesh.corners[c]]);
