@@ -64,10 +64,11 @@ Decoder::Decoder(const engine::File& acoustic_model, const DecoderOptions& optio
   err_set_logfp(nullptr);  // per thread
   std::unique_ptr<cmd_ln_t, ConfigRelease> config(
       cmd_ln_init(nullptr, ps_args(), FALSE, "-cmn", "batch", "-remove_silence", "no", "-dither", "no", "-bestpath",
-                  "no", "-lw", "1", "-wip", "1", "-pip", "1", "-fsgusefiller", "no", "-fsgusealtpron", "no",
-                  "-maxhmmpf", "-1", "-remove_noise", options.remove_noise ? "yes" : "no", nullptr));
+                  "no", "-allphone_ci", "yes", "-wip", "1", "-pip", "1", "-fsgusefiller", "no", "-fsgusealtpron", "no",
+                  "-maxhmmpf", "-1", "-remove_noise", "yes", nullptr));
   check(config != nullptr, "PocketSphinx refuses its configuration");
   for (const char* beam : {"-beam", "-pbeam", "-wbeam"}) cmd_ln_set_float_r(config.get(), beam, options.beam);
+  cmd_ln_set_float_r(config.get(), "-lw", options.phone_model_weight);
   const std::map<std::string, std::string> files = {
       {"-mdef", "mdef"}, {"-mean", "means"}, {"-var", "variances"}, {"-tmat", "transition_matrices"}};
   for (const auto& [option, name] : files) {

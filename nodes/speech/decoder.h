@@ -36,8 +36,8 @@ struct DecodedWord {
 };
 
 struct DecoderOptions {
-  double beam = 1e-300;
-  bool remove_noise = true;
+  double beam = 1e-300;           // open: a path that reaches the end is never lost
+  double phone_model_weight = 1;  // of the n-gram against the sound, in decode_phones
 };
 
 // PocketSphinx 0.8's Viterbi decoder over a word graph. Holds the acoustic model and the words added to it; a decode
@@ -56,7 +56,8 @@ class Decoder {
 
   // The best path, pauses ("<sil>") included; empty where no path reaches the end. samples: 16 kHz.
   std::vector<DecodedWord> decode(const Grammar& grammar, std::span<const std::int16_t> samples);
-  // The best phone string, without words. phone_model: PocketSphinx n-gram model over phones, or null.
+  // The best string of phones, context-independent (triphones cost 20 times as much and are no better at it), without
+  // words. phone_model: PocketSphinx n-gram model over phones, or null.
   std::vector<DecodedWord> decode_phones(const engine::File* phone_model, std::span<const std::int16_t> samples);
 
  private:

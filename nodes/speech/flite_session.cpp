@@ -3,7 +3,8 @@
 
 #include <flite/flite.h>
 
-#include <array>
+#include <cstdlib>
+#include <memory>
 #include <mutex>
 
 #include "nodes/base/check.h"
@@ -43,10 +44,18 @@ cst_voice* voice_object(Voice voice) {
   fail("unknown voice ", static_cast<int>(voice));
 }
 
+bool is_clitic(const cst_item* word) { return word && item_feat_string(word, "name")[0] == '\''; }
+
+// The word that a segment belongs to; flite's "'s", "'ll" and the like are put back to the word before them.
 std::string word_of(const cst_item* segment) {
   const cst_item* syllable = item_parent(item_as(segment, "SylStructure"));
-  const cst_item* word = syllable ? item_parent(syllable) : nullptr;
-  return word ? item_feat_string(word, "name") : "";
+  const cst_item* parent = syllable ? item_parent(syllable) : nullptr;
+  const cst_item* word = parent ? item_as(parent, "Word") : nullptr;
+  if (!word) return {};
+  if (is_clitic(word) && item_prev(word)) word = item_prev(word);
+  std::string name = item_feat_string(word, "name");
+  if (is_clitic(item_next(word))) name += item_feat_string(item_next(word), "name");
+  return name;
 }
 
 }  // namespace
@@ -57,6 +66,7 @@ SpokenUtterance flite_speak(const std::string& text, Voice voice, double stretch
   cst_voice* speaker = voice_object(voice);
   check(speaker != nullptr, "flite cannot make its voice");
   feat_set_float(speaker->features, "duration_stretch", static_cast<float>(stretch));
+  std::srand(1);  // flite's excitation noise is rand()'s: the same text sounds the same each time
   std::unique_ptr<cst_utterance, UtteranceRelease> utterance(flite_synth_text(text.c_str(), speaker));
   check(utterance != nullptr, "flite cannot speak this text");
   SpokenUtterance spoken;

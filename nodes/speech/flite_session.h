@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <memory>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ struct SpokenPhone {
 
 struct SpokenUtterance {
   double rate_hz = 0;
-  std::vector<short> samples;
+  std::vector<std::int16_t> samples;
   std::vector<SpokenPhone> phones;
 };
 

@@ -121,34 +121,6 @@ const char* plain(unsigned code) {
   }
 }
 
-std::string to_ascii(std::string_view text, std::vector<std::string>& warnings) {
-  std::string ascii, dropped;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const std::size_t length = byte < 0x80 ? 1 : byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
-    if (length == 1) {
-      ascii += byte < 0x80 ? text[i] : ' ';
-      ++i;
-      continue;
-    }
-    unsigned code = byte & (0xFFU >> (length + 1));
-    for (std::size_t k = 1; k < length && i + k < text.size(); ++k)
-      code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
-    if (const char* spelling = plain(code)) {
-      ascii += spelling;
-    } else {
-      ascii += ' ';
-      dropped += text.substr(i, length);
-      ++count;
-    }
-    i += length;
-  }
-  if (count > 0)
-    warnings.push_back(message("left out ", count, " characters that cannot be read as English: ", dropped));
-  return ascii;
-}
-
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
 Words digits_one_by_one(std::string_view digits) {
@@ -284,6 +256,34 @@ const char* symbol_word(char c) {
 
 }  // namespace
 
+std::string ascii_text(std::string_view text, std::vector<std::string>& warnings) {
+  std::string ascii, dropped;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = byte < 0x80 ? 1 : byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
+    if (length == 1) {
+      ascii += byte < 0x80 ? text[i] : ' ';
+      ++i;
+      continue;
+    }
+    unsigned code = byte & (0xFFU >> (length + 1));
+    for (std::size_t k = 1; k < length && i + k < text.size(); ++k)
+      code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
+    if (const char* spelling = plain(code)) {
+      ascii += spelling;
+    } else {
+      ascii += ' ';
+      dropped += text.substr(i, length);
+      ++count;
+    }
+    i += length;
+  }
+  if (count > 0)
+    warnings.push_back(message("left out ", count, " characters that cannot be read as English: ", dropped));
+  return ascii;
+}
+
 std::vector<std::string> number_words(long long number) {
   check(number >= 0 && number < 1'000'000'000'000'000, "number_words(", number, "): expected 0 to 10^15 - 1");
   if (number < 20) return {std::string(small_numbers[static_cast<std::size_t>(number)])};
@@ -309,7 +309,7 @@ std::vector<std::string> number_words(long long number) {
 
 NormalizedText normalize_text(std::string_view text) {
   NormalizedText result;
-  const std::string ascii = to_ascii(text, result.warnings);
+  const std::string ascii = ascii_text(text, result.warnings);
   bool money = false;
   for (std::size_t i = 0; i < ascii.size();) {
     const char c = ascii[i];

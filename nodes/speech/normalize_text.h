@@ -17,6 +17,10 @@ struct NormalizedText {
 // with a warning.
 NormalizedText normalize_text(std::string_view text);
 
+// The text in ASCII: accents go, typographic quotes, dashes and blanks become plain ones. Characters of other scripts
+// become blanks, with a warning.
+std::string ascii_text(std::string_view text, std::vector<std::string>& warnings);
+
 // 0 <= number < 10^15 in words: 342 -> "three hundred forty two".
 std::vector<std::string> number_words(long long number);
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "nodes/base/check.h"
 #include "nodes/speech/arpabet.h"
+#include "nodes/speech/normalize_text.h"
 #include "nodes/speech/split_stops.h"
 
 namespace face::speech {
@@ -40,16 +40,20 @@ Phones to_phones(const SpokenUtterance& spoken, double duration_s) {
 
 }  // namespace
 
-SayResult say(const std::string& text, const SayOptions& options) {
-  check(std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0; }),
+SayResult say(const std::string& text, const SayOptions& options, engine::Progress& progress) {
+  std::vector<std::string> warnings;
+  const std::string plain = ascii_text(text, warnings);
+  for (const std::string& warning : warnings) progress.warn(warning);
+  check(std::any_of(plain.begin(), plain.end(), [](unsigned char c) { return std::isalnum(c) != 0; }),
         "nothing to say: the text \"", text, "\" has no letter and no digit");
   check(options.duration_stretch > 0, "duration_stretch is ", options.duration_stretch, ", expected more than 0");
-  const SpokenUtterance spoken = flite_speak(text, options.voice, options.duration_stretch);
+  const SpokenUtterance spoken = flite_speak(plain, options.voice, options.duration_stretch);
   check(spoken.rate_hz == speech_rate_hz, "flite spoke at ", spoken.rate_hz, " Hz, expected ", speech_rate_hz);
   SayResult result;
   result.audio.rate_hz = spoken.rate_hz;
   result.audio.samples.reserve(spoken.samples.size());
-  for (const short sample : spoken.samples) result.audio.samples.push_back(static_cast<float>(sample) / 32768.0F);
+  for (const std::int16_t sample : spoken.samples)
+    result.audio.samples.push_back(static_cast<float>(sample) / 32768.0F);
   result.phones = split_stops(to_phones(spoken, result.audio.duration_s()), &result.audio);
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "engine/port.h"
 #include "nodes/speech/flite_session.h"
 #include "nodes/types/audio.h"
 #include "nodes/types/phones.h"
@@ -19,8 +20,8 @@ struct SayResult {
 };
 
 // Speaks a text with flite (Black and Lenzo, Flite: a small fast run-time synthesis engine, 4th ISCA Workshop on Speech
-// Synthesis, 2001). The phone times are exact: they are what the synthesiser was told to make. Throws on a text without
-// anything to say.
-SayResult say(const std::string& text, const SayOptions& options = {});
+// Synthesis, 2001). The phone times are exact: they are what the synthesiser was told to make. Characters
+// that English lacks are left out with a warning. Throws on a text without anything to say.
+SayResult say(const std::string& text, const SayOptions& options, engine::Progress& progress);
 
 }  // namespace face::speech
