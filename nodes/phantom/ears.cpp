@@ -30,7 +30,7 @@ void add_ears(HeadBuilder& head) {
   head.begin_part("ears", {1, 1, 1}, 0.25);
   constexpr std::array<double, 15> kRho = {0.08, 0.2,  0.32, 0.44, 0.53, 0.62, 0.70, 0.78,
                                            0.85, 0.92, 0.97, 1.0,  0.99, 0.92, 0.72};
-  constexpr std::uint32_t kColumns = 44;
+  constexpr std::uint32_t kColumns = 36;
   for (std::size_t r = 0; r < kRho.size(); ++r)
     for (std::uint32_t c = 0; c < kColumns; ++c) {
       const double turn = 2 * kPi * c / kColumns, rho = kRho[r];

@@ -11,7 +11,7 @@ namespace face::phantom {
 namespace {
 
 constexpr double kOuterReach = 17.6, kInnerReach = 16.0;  // corners from the eye's centre, mm
-constexpr double kUpperHeight = 7.1, kLowerHeight = 5.8;  // of the opening, above and below the line of the corners
+constexpr double kUpperHeight = 6.7, kLowerHeight = 5.7;  // of the opening, above and below the line of the corners
 constexpr double kOuterRise = 1.0;                        // the outer corner lies above the inner one
 constexpr double kOuterZ = 83.5, kInnerZ = 89.5;
 

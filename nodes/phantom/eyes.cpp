@@ -12,7 +12,7 @@ namespace {
 // Angles from the line of sight: pupil, iris and the border to the white, in degrees. The pairs close together keep the
 // colours' borders crisp, as colours live on vertices.
 constexpr std::array<double, 9> kIrisAngles = {0, 6, 11.6, 12.4, 15, 19, 23.5, 26.8, 28.0};
-constexpr std::array<double, 14> kWhiteAngles = {28.0, 29.2, 32, 35, 40, 46, 52, 60, 70, 82, 96, 115, 140, 165};
+constexpr std::array<double, 11> kWhiteAngles = {28.0, 29.2, 33, 38, 44, 52, 62, 75, 92, 120, 155};
 constexpr std::uint32_t kSegments = 32;
 
 constexpr Vector3 kPupil = {0.015, 0.012, 0.012};

@@ -61,8 +61,8 @@ double arch_angle(const Arch& arch, double length_mm) {
   return angle;
 }
 
-constexpr std::uint32_t kToothColumns = 12;
-constexpr std::array<double, 7> kToothRows = {-0.18, 0.0, 0.25, 0.5, 0.75, 0.91, 0.985};  // gum to edge
+constexpr std::uint32_t kToothColumns = 10;
+constexpr std::array<double, 6> kToothRows = {-0.15, 0.1, 0.4, 0.72, 0.91, 0.985};  // gum to edge
 
 void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Place& place) {
   const std::uint32_t first = head.vertex_count();
@@ -112,7 +112,7 @@ VertexRange add_teeth(HeadBuilder& head, const Arch& arch, const std::array<Toot
   return range;
 }
 
-constexpr std::uint32_t kGumColumns = 41, kGumRows = 9;
+constexpr std::uint32_t kGumColumns = 35, kGumRows = 7;
 
 // A ridge that the teeth stand in, from its outer foot over the crest to its inner foot.
 VertexRange add_gums(HeadBuilder& head, const Arch& arch, const std::array<Tooth, 7>& teeth) {

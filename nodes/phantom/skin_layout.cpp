@@ -11,12 +11,12 @@ namespace {
 
 using Loop = SkinVertex::Loop;
 
-constexpr int kHalfColumns = 42;  // azimuth columns from the front to the back
+constexpr int kHalfColumns = 38;  // azimuth columns from the front to the back
 constexpr int kFaceColumns = 22;  // of these, on the face
 constexpr int kNoseColumns = 7;   // of these, on the nose
 constexpr double kNoseColumnDeg = 1.5, kFaceEndDeg = 44;
 // Rows from the bottom of the neck to the crown: neck, jaw and mouth, nose, eyes and forehead, scalp.
-constexpr int kNeckRows = 12, kMouthRows = 16, kNoseRows = 14, kEyeRows = 15, kScalpRows = 14;
+constexpr int kNeckRows = 12, kMouthRows = 16, kNoseRows = 14, kEyeRows = 15, kScalpRows = 11;
 constexpr double kNeckBottomDeg = -80.6, kMouthBottomDeg = -44, kNoseBottomDeg = -10.4, kEyeBottomDeg = 8.2,
                  kScalpBottomDeg = 40.5;
 

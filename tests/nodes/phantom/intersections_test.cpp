@@ -255,7 +255,7 @@ TEST(HeadIntersections, AreAbsentOnTheWayToABlink) {
   // eye.
   for (const char* name : {"eyeBlinkLeft", "eyeLookDownLeft", "eyeSquintLeft"})
     for (const float w : {0.25f, 0.5f, 0.75f})
-      EXPECT_GT(lid_clearance(posed({{name, w}})), -1.2) << name << " at " << w;
+      EXPECT_GT(lid_clearance(posed({{name, w}})), -0.6) << name << " at " << w;
 }
 
 }  // namespace
