@@ -43,30 +43,30 @@ Bounds visible_bounds(const Mesh& mesh) {
   return bounds;
 }
 
-// The box to show: the whole of a mesh that has no marks, else from the top of the head to a little below the chin,
-// without the shoulders. The chin is landmark 8, or a fifth of a head below the lips.
-Bounds head_bounds(const Rig& rig) {
+// The box to show: the whole of a mesh that has no marks; else from the top of the head to a little below the chin, without
+// the shoulders, or the face alone. The chin is landmark 8, or a quarter of the way down again below the lips.
+Bounds framed_bounds(const Rig& rig, Framing framing) {
   Bounds bounds = visible_bounds(rig.neutral);
   if (bounds.empty || (rig.landmarks68.size() != 68 && rig.inner_lips.empty())) return bounds;
   const std::vector<Vec3f>& points = rig.neutral.points_mm;
-  float chin = 0, middle = 0, front = 0;
+  float chin = 0;
+  Vec3f front = {0, 0, 0};
   if (rig.landmarks68.size() == 68) {
     chin = points[rig.landmarks68[8]][1];
-    middle = points[rig.landmarks68[30]][0];
-    front = points[rig.landmarks68[30]][2];
+    front = points[rig.landmarks68[30]];
   } else {
-    const Vec3f& lip = points[rig.inner_lips[rig.inner_lips.size() / 2].lower];
-    chin = lip[1] - 0.25f * (bounds.high[1] - lip[1]);
-    middle = lip[0];
-    front = lip[2];
+    front = points[rig.inner_lips[rig.inner_lips.size() / 2].lower];
+    chin = front[1] - 0.25f * (bounds.high[1] - front[1]);
   }
   const float height = bounds.high[1] - chin;
-  bounds.low[1] = std::max(bounds.low[1], chin - 0.15f * height);
-  const float half_width = std::min(0.5f * (bounds.high[0] - bounds.low[0]), 0.45f * height);
-  bounds.low[0] = middle - half_width;
-  bounds.high[0] = middle + half_width;
-  bounds.high[2] = front;
-  bounds.low[2] = front - 0.8f * height;
+  const float half_width = (framing == Framing::head ? 0.45f : 0.28f) * height;
+  const float depth = (framing == Framing::head ? 0.8f : 0.35f) * height;
+  bounds.low[1] = std::max(bounds.low[1], chin - (framing == Framing::head ? 0.15f : 0.06f) * height);
+  if (framing == Framing::face) bounds.high[1] = chin + 0.58f * height;
+  bounds.low[0] = std::max(bounds.low[0], front[0] - half_width);
+  bounds.high[0] = std::min(bounds.high[0], front[0] + half_width);
+  bounds.high[2] = front[2];
+  bounds.low[2] = front[2] - depth;
   return bounds;
 }
 
@@ -222,7 +222,7 @@ Image resolve(const Pictures& pictures, const SrgbTable& srgb, const RenderHeadO
 }  // namespace
 
 Camera head_camera(const Rig& rig, const RenderHeadOptions& options) {
-  const Bounds bounds = head_bounds(rig);
+  const Bounds bounds = framed_bounds(rig, options.framing);
   check(!bounds.empty, "the rig has no visible polygon to render");
   Vec3f centre;
   for (std::size_t i = 0; i < 3; ++i) centre[i] = 0.5f * (bounds.low[i] + bounds.high[i]);

@@ -7,12 +7,15 @@
 
 namespace face::render {
 
+enum class Framing { head, face };  // the whole head, or brows to chin
+
 struct RenderHeadOptions {
   int width_px = 640;
   int height_px = 640;
   double yaw_deg = 0;               // the camera's place about the head; positive shows the head's left side
   double pitch_deg = 0;             // positive looks down from above
-  double distance_mm = 0;           // from the middle of the face; 0 frames the face
+  double distance_mm = 0;           // from the middle of what is framed; 0 fills the picture with it
+  Framing framing = Framing::head;  // what stands in the middle of the picture
   double field_of_view_deg = 20;    // vertical
   int samples = 2;                  // per pixel and axis
   double background_red = 0.17;     // sRGB

@@ -31,6 +31,7 @@ Image render_sheet(const Rig& rig, const engine::Seq<Weights>& weights, const Ti
   RenderHeadOptions view;
   view.width_px = view.height_px = options.picture_px;
   view.yaw_deg = options.yaw_deg;
+  view.framing = Framing::face;
   std::vector<Image> pictures;
   std::vector<Caption> captions;
   for (const KeyFrame& key : pick_key_frames(phones, timeline, static_cast<std::size_t>(options.pictures))) {
