@@ -32,12 +32,14 @@ std::string levels(int depth) {
 
 class Analysis {
  public:
-  Analysis(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems) : flat_(flat), graph_(graph), problems_(problems) {}
+  Analysis(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems)
+      : flat_(flat), graph_(graph), problems_(problems) {}
 
   void run() {
     states_.resize(flat_.nodes.size());
     checks_.resize(flat_.input_checks.size());
-    find_order();
+    on_ring_.resize(flat_.nodes.size());
+    order_ = find_order(flat_, on_ring_, problems_);
     for (const int node : order_) settle(node);
     for (std::size_t i = 0; i < checks_.size(); ++i) check_input(static_cast<int>(i));
     read_outputs();
@@ -48,8 +50,6 @@ class Analysis {
 
  private:
   struct State {
-    int mark = 0;  // of the search: 0 new, 1 on the path, 2 done
-    bool on_ring = false;
     bool settled = false;
     bool absent = false;
     bool broken = false;
@@ -62,65 +62,15 @@ class Analysis {
 
   void problem(const Place& place, std::string text) { problems_.push_back({place, std::move(text)}); }
 
-  // Producers before consumers, else as written: a depth-first search with its own stack (chains may be long).
-  void find_order() {
-    struct Step {
-      int node;
-      std::size_t port = 0, link = 0;
-    };
-    for (std::size_t start = 0; start < flat_.nodes.size(); ++start) {
-      if (states_[start].mark != 0) continue;
-      std::vector<Step> path{{static_cast<int>(start)}};
-      states_[start].mark = 1;
-      while (!path.empty()) {
-        Step& step = path.back();
-        const auto& ports = flat_.nodes[step.node].ports;
-        if (step.port == ports.size()) {
-          states_[step.node].mark = 2;
-          order_.push_back(step.node);
-          path.pop_back();
-        } else if (step.link == ports[step.port].size()) {
-          ++step.port;
-          step.link = 0;
-        } else if (const Link& link = ports[step.port][step.link++]; link.kind == Link::Kind::node) {
-          State& next = states_[link.node];
-          if (next.mark == 0) {
-            next.mark = 1;
-            path.push_back({link.node});
-          } else if (next.mark == 1) {
-            std::vector<int> ring;
-            for (auto at = path.rbegin();; ++at) {
-              ring.push_back(at->node);
-              if (at->node == link.node) break;
-            }
-            std::reverse(ring.begin(), ring.end());
-            report_ring(std::move(ring));
-          }
-        }
-      }
-    }
-  }
-
-  void report_ring(std::vector<int> ring) {  // each node needs the next
-    const bool known = std::any_of(ring.begin(), ring.end(), [&](int node) { return states_[node].on_ring; });
-    for (const int node : ring) states_[node].on_ring = true;
-    if (known) return;
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    std::string text;
-    for (const int node : ring) text += flat_.nodes[node].id + " needs ";
-    Place place = flat_.nodes[ring[0]].place;
-    const int next = ring.size() > 1 ? ring[1] : ring[0];
-    for (const auto& links : flat_.nodes[ring[0]].ports)
-      for (const Link& link : links)
-        if (link.kind == Link::Kind::node && link.node == next) place = link.place;
-    problem(place, "the nodes need each other in a ring: " + text + flat_.nodes[ring[0]].id);
-  }
-
   Shape shape_of(const Link& link) {
     Shape shape;
     switch (link.kind) {
-      case Link::Kind::broken: shape.broken = true; return shape;
-      case Link::Kind::unset: shape.absent = true; [[fallthrough]];
+      case Link::Kind::broken:
+        shape.broken = true;
+        return shape;
+      case Link::Kind::unset:
+        shape.absent = true;
+        [[fallthrough]];
       case Link::Kind::file:
         shape.type = "file";
         shape.depth = 0;
@@ -146,8 +96,9 @@ class Analysis {
       if (selected > shape.depth) {
         std::string name = "the file";
         if (link.kind == Link::Kind::node) name = "'" + flat_.nodes[link.node].id + "'";
-        problem(link.place, "the reference selects an element " + std::to_string(selected) + (selected == 1 ? " level" : " levels") +
-                                " deep, but " + name + " is " + levels(shape.depth));
+        problem(link.place, "the reference selects an element " + std::to_string(selected) +
+                                (selected == 1 ? " level" : " levels") + " deep, but " + name + " is " +
+                                levels(shape.depth));
         shape.broken = true;
         return shape;
       }
@@ -167,7 +118,8 @@ class Analysis {
       checks_[index] = Check::bad;
     } else if ((!input.type.empty() && !shape.type.empty() && shape.type != input.type) ||
                (shape.depth != unknown && shape.depth < input.depth)) {
-      problem(input.link.place, "the input '" + input.name + "' takes " + expected + ", but is given " + shape_text(shape.type, std::max(shape.depth, 0)));
+      problem(input.link.place, "the input '" + input.name + "' takes " + expected + ", but is given " +
+                                    shape_text(shape.type, std::max(shape.depth, 0)));
       checks_[index] = Check::bad;
     }
     return checks_[index];
@@ -184,11 +136,13 @@ class Analysis {
     if (node.info == nullptr) return;
     const NodeInfo& info = *node.info;
     std::vector<std::vector<Shape>> shapes(node.ports.size());
-    state.broken = node.input_missing || state.on_ring;
+    state.broken = node.input_missing || on_ring_[index];
     for (std::size_t port = 0; port < node.ports.size(); ++port) {
       for (const Link& link : node.ports[port]) shapes[port].push_back(shape_of(link));
       const auto& given = shapes[port];
-      const bool all_absent = !given.empty() && std::all_of(given.begin(), given.end(), [](const Shape& shape) { return shape.absent && !shape.broken; });
+      const bool all_absent = !given.empty() && std::all_of(given.begin(), given.end(), [](const Shape& shape) {
+        return shape.absent && !shape.broken;
+      });
       if (all_absent && !info.inputs[port].optional) state.absent = true;
     }
 
@@ -217,7 +171,8 @@ class Analysis {
           agreed_type = shape.type;
         } else if (shape.type != agreed_type) {
           if (input.type.empty())
-            problem(link.place, port_name(node, port) + " takes alternatives of one type: found '" + shape.type + "' after '" + agreed_type + "'");
+            problem(link.place, port_name(node, port) + " takes alternatives of one type: found '" + shape.type +
+                                    "' after '" + agreed_type + "'");
           else
             problem(link.place, port_name(node, port) + " takes '" + input.type + "', found '" + shape.type + "'");
           depth_known = false;
@@ -235,7 +190,8 @@ class Analysis {
           continue;
         }
         if (agreed != nullptr && shape.depth != agreed_depth) {
-          problem(link.place, port_name(node, port) + " takes alternatives of one depth: found " + levels(shape.depth) + " after " + levels(agreed_depth));
+          problem(link.place, port_name(node, port) + " takes alternatives of one depth: found " + levels(shape.depth) +
+                                  " after " + levels(agreed_depth));
           depth_known = false;
           continue;
         }
@@ -251,16 +207,19 @@ class Analysis {
     }
     check_where(node, shapes, state);
     if (depth_known && info.prior && state.mapped_depth == 0)
-      problem(node.place, "'" + info.name + "' works along a sequence (each result follows from the one before), but none of its inputs is one");
+      problem(node.place,
+              "'" + info.name +
+                  "' works along a sequence (each result follows from the one before), but none of its inputs is one");
 
     for (const OutputInfo& output : info.outputs) {
       Shape shape;
       shape.type = output.type.empty() ? first_type : output.type;
-      if (depth_known) shape.depth = info.structural == Structural::first ? first_depth : state.mapped_depth + output.depth;
+      if (depth_known)
+        shape.depth = info.structural == Structural::first ? first_depth : state.mapped_depth + output.depth;
       state.outputs.push_back(shape);
     }
     if (depth_known) check_overrides(node, state.mapped_depth, problems_);
-    state.settled = !state.on_ring;
+    state.settled = !on_ring_[index];
   }
 
   // The flags of seq.where are those of its own sequence, not of an outer or inner one.
@@ -268,9 +227,11 @@ class Analysis {
     if (node.info->structural != Structural::where || shapes[0].empty() || shapes[1].empty()) return;
     const Shape& sequence = shapes[0][0];
     const Shape& flags = shapes[1][0];
-    if (sequence.broken || flags.broken || sequence.depth < 1 || flags.depth < 1 || sequence.depth == flags.depth || state.broken) return;
-    problem(node.ports[1][0].place, port_name(node, 1) + " takes one flag for every element of the sequence: found " + levels(flags.depth) +
-                                        " for " + levels(sequence.depth));
+    if (sequence.broken || flags.broken || sequence.depth < 1 || flags.depth < 1 || sequence.depth == flags.depth ||
+        state.broken)
+      return;
+    problem(node.ports[1][0].place, port_name(node, 1) + " takes one flag for every element of the sequence: found " +
+                                        levels(flags.depth) + " for " + levels(sequence.depth));
   }
 
   void read_outputs() {
@@ -281,7 +242,8 @@ class Analysis {
       any = any || shape.broken || !shape.absent;
       if (shape.broken) continue;
       if (!shape.type.empty() && shape.type != "file")
-        problem(output.link.place, "the output " + quoted_text(output.name) + " is of type '" + shape.type + "', expected 'file': let a node export it first");
+        problem(output.link.place, "the output " + quoted_text(output.name) + " is of type '" + shape.type +
+                                       "', expected 'file': let a node export it first");
       else if (shape.absent)
         find_causes(output.link, causes);
       else
@@ -380,7 +342,8 @@ class Analysis {
       for (const auto& links : node.ports) {
         std::vector<Source>& sources = result.inputs.emplace_back();
         for (const Link& link : links)
-          if (Source source = source_of(link, position); source.kind != Source::Kind::none) sources.push_back(std::move(source));
+          if (Source source = source_of(link, position); source.kind != Source::Kind::none)
+            sources.push_back(std::move(source));
       }
       position[index] = static_cast<int>(graph_.nodes.size());
       graph_.nodes.push_back(std::move(result));
@@ -396,11 +359,14 @@ class Analysis {
   std::vector<State> states_;
   std::vector<Check> checks_;
   std::vector<int> order_;
+  std::vector<bool> on_ring_;
   std::vector<const FlatOutput*> outputs_;
 };
 
 }  // namespace
 
-void analyse_graph(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems) { Analysis(flat, graph, problems).run(); }
+void analyse_graph(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems) {
+  Analysis(flat, graph, problems).run();
+}
 
 }  // namespace engine

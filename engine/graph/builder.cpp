@@ -2,7 +2,6 @@
 #include "engine/graph/builder.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/graph/output_name.h"
 #include "engine/graph/param_value.h"
@@ -47,7 +46,8 @@ std::string did_you_mean_of(std::string_view name, const std::vector<std::string
   return names.empty() ? "; it has none" : "; it has " + listed(names);
 }
 
-void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names, std::vector<std::string>& missing) {
+void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names,
+                     std::vector<std::string>& missing) {
   std::size_t unclear = 0;
   for (const std::string& name : misspelt) {
     const std::string nearest = nearest_name(name, names);
@@ -75,7 +75,8 @@ FlatGraph Builder::build(const GraphFile& file, Graph& graph) {
       const auto bound = scopes_[0].params.find(declared.key);
       if (bound == scopes_[0].params.end()) continue;
       const BoundParam& param = bound->second;
-      graph.params.push_back({param.type, param.path, param.optional, declared.value.find("default") != nullptr, param.value != nullptr});
+      graph.params.push_back(
+          {param.type, param.path, param.optional, declared.value.find("default") != nullptr, param.value != nullptr});
     }
   }
   link_nodes();
@@ -94,7 +95,8 @@ bool Builder::check_object(const JsonValue& value, const std::vector<std::string
   }
   for (const JsonMember& member : value.members)
     if (std::find(keys.begin(), keys.end(), member.key) == keys.end())
-      problem(member.place(), "unknown key " + quoted_text(member.key) + did_you_mean(member.key, keys) + "; " + what + " has the keys " + listed(keys));
+      problem(member.place(), "unknown key " + quoted_text(member.key) + did_you_mean(member.key, keys) + "; " + what +
+                                  " has the keys " + listed(keys));
   return true;
 }
 
@@ -106,7 +108,8 @@ int Builder::add_scope(const GraphFile& file, int parent, const std::string& pre
   scope.prefix = prefix;
   scope.usable = file.usable;
   if (!file.usable) return index;
-  check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "layout"}, "a graph");
+  check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "layout"},
+               "a graph");
   if (const JsonMember* doc = file.tree.find("doc"); doc != nullptr && !doc->value.is(Kind::string))
     problem(doc->value.place(), "found " + found(doc->value) + ", expected a text");
   if (parent >= 0) read_run(file.tree, nullptr);
@@ -133,13 +136,17 @@ void Builder::read_inputs(int index, const JsonMember* embedding) {
       return;
     }
     if (embedding == nullptr && !inputs->value.members.empty())
-      problem(inputs->place(), "a graph with inputs is a part of other graphs: embed it with \"graph\"; files come in as parameters of type \"path\"");
+      problem(inputs->place(),
+              "a graph with inputs is a part of other graphs: embed it with \"graph\"; files come in as parameters of "
+              "type \"path\"");
     for (const JsonMember& member : inputs->value.members) {
       names.push_back(member.key);
       Scope::Input& input = scope.inputs[member.key];
-      if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of an input: " + what_a_name_is);
+      if (!is_name(member.key))
+        problem(member.place(), quoted_text(member.key) + " is no name of an input: " + what_a_name_is);
       if (!member.value.is(Kind::string) || !parse_type(member.value.text, input.type, input.depth)) {
-        problem(member.value.place(), "found " + found(member.value) + ", expected a type such as \"image\" or \"Seq<image>\"");
+        problem(member.value.place(),
+                "found " + found(member.value) + ", expected a type such as \"image\" or \"Seq<image>\"");
         input.type.clear();
         input.depth = 0;
       }
@@ -172,7 +179,8 @@ void Builder::read_outputs(int index) {
     return;
   }
   if (!outputs->value.is(Kind::object) || outputs->value.members.empty()) {
-    problem(outputs->value.place(), "found " + (outputs->value.is(Kind::object) ? "an empty object" : found(outputs->value)) +
+    problem(outputs->value.place(), "found " +
+                                        (outputs->value.is(Kind::object) ? "an empty object" : found(outputs->value)) +
                                         ", expected an object of outputs: {\"name.txt\": \"node\"}");
     scope.usable = false;
     return;
@@ -203,7 +211,8 @@ void Builder::read_nodes(int index) {
     return;
   }
   for (const JsonMember& member : nodes->value.members) {
-    if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of a node: " + what_a_name_is);
+    if (!is_name(member.key))
+      problem(member.place(), quoted_text(member.key) + " is no name of a node: " + what_a_name_is);
     scopes_[index].entry_names.push_back(member.key);
     if (nodes_.size() + scopes_.size() >= most_nodes) {
       problem(member.place(), "the graph has more than " + std::to_string(most_nodes) + " nodes");
@@ -231,7 +240,8 @@ void Builder::read_node(int index, const JsonMember& member) {
     std::vector<std::string> keys;
     for (const JsonMember& other : member.value.members) keys.push_back(other.key);
     if (nearest_name("node", keys).empty() && nearest_name("graph", keys).empty())
-      problem(member.place(), "the key \"node\" is missing: it names the kind of node (or \"graph\" a subgraph's file)");
+      problem(member.place(),
+              "the key \"node\" is missing: it names the kind of node (or \"graph\" a subgraph's file)");
     return unknown();
   }
   if (!type->value.is(Kind::string)) {
@@ -244,8 +254,10 @@ void Builder::read_node(int index, const JsonMember& member) {
   if (info == nullptr) {
     const std::string absent = context_.absent_plugin ? context_.absent_plugin(type->value.text) : std::string();
     if (!node_types_) node_types_ = context_.node_names ? context_.node_names() : std::vector<std::string>();
-    problem(type->value.place(), absent.empty() ? "no node is called " + quoted_text(type->value.text) + did_you_mean(type->value.text, *node_types_)
-                                                : "the node " + quoted_text(type->value.text) + " cannot be used: " + absent);
+    problem(type->value.place(),
+            absent.empty()
+                ? "no node is called " + quoted_text(type->value.text) + did_you_mean(type->value.text, *node_types_)
+                : "the node " + quoted_text(type->value.text) + " cannot be used: " + absent);
     return;
   }
   node.info = info;
@@ -285,54 +297,6 @@ void Builder::read_subgraph(int index, const JsonMember& member, const JsonValue
     return unusable();
   }
   add_scope(documents_.read(path, shown_path(*graph.source, graph.text), graph.place()), index, prefix, &member);
-}
-
-void Builder::read_run(const JsonValue& tree, RunSettings* run) {
-  const JsonMember* const block = tree.find("run");
-  if (block == nullptr || !check_object(block->value, {"memory", "timeout_s"}, "the run block")) return;
-  if (const JsonMember* const memory = block->value.find("memory")) {
-    const std::optional<std::int64_t> bytes = memory->value.is(Kind::string) ? parse_memory(memory->value.text) : std::nullopt;
-    if (!bytes) problem(memory->value.place(), "found " + found(memory->value) + ", expected an amount such as \"8GB\" or \"500MB\"");
-    if (run != nullptr) run->memory_bytes = bytes.value_or(0);
-  }
-  if (const JsonMember* const timeout = block->value.find("timeout_s")) {
-    const bool number = timeout->value.is(Kind::integer) || timeout->value.is(Kind::real);
-    if (!number || !(timeout->value.real > 0)) problem(timeout->value.place(), "found " + found(timeout->value) + ", expected a number of seconds above 0");
-    if (run != nullptr && number) run->timeout_s = timeout->value.real;
-  }
-}
-
-void Builder::read_overrides(int index, const JsonValue& overrides, FlatNode& node) {
-  if (!overrides.is(Kind::object)) {
-    problem(overrides.place(), "found " + found(overrides) + ", expected an object of element ids and parameters: {\"17-23,40\": {...}}");
-    return;
-  }
-  std::vector<std::string> names;
-  for (const ParamInfo& param : node.info->params) names.push_back(param.name);
-  for (const JsonMember& member : overrides.members) {
-    Override override;
-    override.text = member.key;
-    override.place = member.place();
-    std::string error;
-    if (!parse_ranges(member.key, override.ranges, error)) {
-      problem(member.place(), error);
-      continue;
-    }
-    if (!member.value.is(Kind::object) || member.value.members.empty()) {
-      problem(member.value.place(), "found " + (member.value.is(Kind::object) ? "an empty object" : found(member.value)) +
-                                        ", expected an object of parameters");
-      continue;
-    }
-    for (const JsonMember& given : member.value.members) {
-      const int param = node.info->find_param(given.key);
-      ParamValue value;
-      if (param < 0)
-        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean_of(given.key, names));
-      else if (read_value(index, given.value, node.info->params[param], value))
-        override.params.emplace_back(param, std::move(value));
-    }
-    node.overrides.push_back(std::move(override));
-  }
 }
 
 }  // namespace engine

@@ -16,7 +16,7 @@ namespace engine {
 
 // A parameter of a graph with the value that it has in this run.
 struct BoundParam {
-  ParamInfo type;                    // kind string for a path
+  ParamInfo type;  // kind string for a path
   bool path = false, optional = false;
   bool broken = false;               // declared wrongly or without a value, which is reported
   const JsonValue* value = nullptr;  // null = unset; knows where it was written
@@ -77,19 +77,23 @@ class Builder {
   void read_subgraph(int scope, const JsonMember& member, const JsonValue& graph);
   void read_inputs(int scope, const JsonMember* embedding);
   void read_outputs(int scope);
+
+  // builder_blocks.cpp
   void read_run(const JsonValue& tree, RunSettings* run);
   void read_overrides(int scope, const JsonValue& overrides, FlatNode& node);
 
-  // builder_params.cpp
+  // builder_settings.cpp
   void read_settings(const std::vector<Setting>& settings);
+  Given* find_setting(const std::string& node, const std::string& param);
+  void report_unused_settings();
+
+  // builder_params.cpp
   void read_params(int scope, const JsonMember* embedding);
   std::optional<BoundParam> declare_param(const JsonMember& member);
   void bind_param(int scope, BoundParam& bound, const JsonMember& declared, const JsonMember* embedding);
   void read_node_params(int scope, const JsonMember& member, FlatNode& node);
   bool read_value(int scope, const JsonValue& written, const ParamInfo& param, ParamValue& value);
   const BoundParam* find_param(int scope, const JsonValue& written);
-  Given* find_setting(const std::string& node, const std::string& param);
-  void report_unused_settings();
 
   // builder_links.cpp
   void link_nodes();
@@ -116,7 +120,7 @@ class Builder {
   std::vector<Deferred> deferred_;
   std::vector<InputCheck> input_checks_;
   std::vector<FlatNode> nodes_;
-  std::set<const JsonValue*> blamed_;                   // values of parameters that a problem names already
+  std::set<const JsonValue*> blamed_;  // values of parameters that a problem names already
   std::optional<std::vector<std::string>> node_types_;
   int link_depth_ = 0;
 
@@ -124,15 +128,23 @@ class Builder {
   Documents& documents() { return documents_; }
 };
 
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& entry : map) keys.push_back(entry.first);
+  return keys;
+}
+
 // True for "${x}"; name gets the x.
 bool is_substitution(const std::string& text, std::string& name);
 
 // Takes the place of did_you_mean() where names are few: the nearest one, else all there are.
 std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names);
 
-// Which of some missing things are nobody's fault but a misspelt name's, so that one mistake is told once: the nearest ones,
-// and as many more as there are misspelt names without a nearest one.
-void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names, std::vector<std::string>& missing);
+// Which of some missing things are nobody's fault but a misspelt name's, so that one mistake is told once: the nearest
+// ones, and as many more as there are misspelt names without a nearest one.
+void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names,
+                     std::vector<std::string>& missing);
 
 // 'a', 'b' and 'c'.
 std::string listed(const std::vector<std::string>& names, const char* last = "and");

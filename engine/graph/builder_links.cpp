@@ -10,16 +10,19 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-void append(std::vector<std::string>& ids, const std::vector<std::string>& more) { ids.insert(ids.end(), more.begin(), more.end()); }
+void append(std::vector<std::string>& ids, const std::vector<std::string>& more) {
+  ids.insert(ids.end(), more.begin(), more.end());
+}
 
 bool looks_like_a_path(const std::string& text) {
-  return text.find('/') != std::string::npos || text.find('\\') != std::string::npos || text.find('.') != std::string::npos ||
-         text.starts_with("~") || text.starts_with("$");
+  return text.find('/') != std::string::npos || text.find('\\') != std::string::npos ||
+         text.find('.') != std::string::npos || text.starts_with("~") || text.starts_with("$");
 }
 
 constexpr int most_hops = 200;  // of one reference through inputs and outputs of subgraphs: keeps the stack small
 
-const char* const how_files_come_in = ": a file comes in as a parameter of type \"path\", written \"${name}\", or as {\"file\": \"path\"}";
+const char* const how_files_come_in =
+    ": a file comes in as a parameter of type \"path\", written \"${name}\", or as {\"file\": \"path\"}";
 
 }  // namespace
 
@@ -38,7 +41,8 @@ void Builder::link_nodes() {
     std::vector<std::string> misspelt, missing;
     std::vector<bool> given(names.size(), false);
     if (inputs != nullptr && !inputs->value.is(Kind::object)) {
-      problem(inputs->value.place(), "found " + found(inputs->value) + ", expected an object of inputs: {\"port\": \"node\"}");
+      problem(inputs->value.place(),
+              "found " + found(inputs->value) + ", expected an object of inputs: {\"port\": \"node\"}");
       node.input_missing = true;
       continue;
     }
@@ -57,7 +61,8 @@ void Builder::link_nodes() {
       if (!member.value.is(Kind::array)) {
         links.push_back(link(deferred.scope, member.value));
       } else if (!node.info->inputs[port].variadic) {
-        links.push_back(broken(member.value.place(), "found a list, but the input '" + member.key + "' of '" + node.info->name + "' takes one reference"));
+        links.push_back(broken(member.value.place(), "found a list, but the input '" + member.key + "' of '" +
+                                                         node.info->name + "' takes one reference"));
       } else if (member.value.items.empty()) {
         links.push_back(broken(member.value.place(), "found an empty list, expected at least one reference"));
       } else {
@@ -68,7 +73,8 @@ void Builder::link_nodes() {
       if (!given[port] && !node.info->inputs[port].optional) missing.push_back(names[port]);
     node.input_missing = !missing.empty();
     forgive_missing(misspelt, names, missing);
-    for (const std::string& name : missing) problem(node.place, "the input '" + name + "' of '" + node.info->name + "' is not connected");
+    for (const std::string& name : missing)
+      problem(node.place, "the input '" + name + "' of '" + node.info->name + "' is not connected");
   }
 }
 
@@ -98,7 +104,8 @@ Link Builder::link_output(int index, const std::string& name) {
   if (output.state == Scope::State::open) {  // a ring of references passes through an input, which finds it
     std::string param;
     if (index == 0 && (!written.is(Kind::string) || is_substitution(written.text, param)))
-      output.link = broken(written.place(), "found " + found(written) + ", expected a reference to a node that makes a file");
+      output.link =
+          broken(written.place(), "found " + found(written) + ", expected a reference to a node that makes a file");
     else
       output.link = link(index, written);
     output.state = Scope::State::done;
@@ -108,14 +115,17 @@ Link Builder::link_output(int index, const std::string& name) {
 
 Link Builder::link(int index, const JsonValue& written) {
   Link result;
-  if (link_depth_ >= most_hops) return broken(written.place(), "the reference passes through more than " + std::to_string(most_hops) + " subgraphs");
+  if (link_depth_ >= most_hops)
+    return broken(written.place(),
+                  "the reference passes through more than " + std::to_string(most_hops) + " subgraphs");
   ++link_depth_;
   if (written.is(Kind::string))
     result = link_text(index, written);
   else if (written.is(Kind::object))
     result = link_file(written);
   else
-    result = broken(written.place(), "found " + found(written) + ", expected a reference such as \"node\", \"node.output\" or \"${name}\"");
+    result = broken(written.place(), "found " + found(written) +
+                                         ", expected a reference such as \"node\", \"node.output\" or \"${name}\"");
   --link_depth_;
   result.place = written.place();
   return result;
@@ -125,13 +135,16 @@ Link Builder::link_file(const JsonValue& written) {
   const JsonMember* const file = written.find("file");
   if (!check_object(written, {"file"}, "a fixed file")) return {};
   if (file == nullptr) {
-    if (written.members.empty()) problem(written.place(), "found an empty object, expected a reference or {\"file\": \"path\"}");
+    if (written.members.empty())
+      problem(written.place(), "found an empty object, expected a reference or {\"file\": \"path\"}");
     return {};
   }
   if (!file->value.is(Kind::string) || file->value.text.empty())
     return broken(file->value.place(), "found " + found(file->value) + ", expected a path");
   if (file->value.text.find("${") != std::string::npos)
-    return broken(file->value.place(), "found " + found(file->value) + ": a parameter of type \"path\" is written as the input itself, without {\"file\": ...}");
+    return broken(file->value.place(),
+                  "found " + found(file->value) +
+                      ": a parameter of type \"path\" is written as the input itself, without {\"file\": ...}");
   Link link;
   link.kind = Link::Kind::file;
   link.path = resolve_path(*file->value.source, file->value.text);
@@ -144,7 +157,8 @@ Link Builder::link_param(int index, const JsonValue& written) {
   const BoundParam* const bound = find_param(index, written);
   if (bound == nullptr || bound->broken) return {};
   if (!bound->path)
-    return broken(written.place(), "'" + bound->type.name + "' is no path: an input takes a reference or a parameter of type \"path\"");
+    return broken(written.place(),
+                  "'" + bound->type.name + "' is no path: an input takes a reference or a parameter of type \"path\"");
   Link link;
   if (bound->value == nullptr) {
     link.kind = Link::Kind::unset;
@@ -161,7 +175,8 @@ Link Builder::link_param(int index, const JsonValue& written) {
 Link Builder::link_input(int index, const JsonValue& written) {
   Reference reference;
   std::string error;
-  if (!parse_reference(written.text.substr(1), reference, error) || !reference.output.empty() || !is_name(reference.node))
+  if (!parse_reference(written.text.substr(1), reference, error) || !reference.output.empty() ||
+      !is_name(reference.node))
     return broken(written.place(), "found " + found(written) + ", expected \"@input\" or \"@input[id]\"");
   Scope& scope = scopes_[index];
   const auto known = scope.inputs.find(reference.node);
@@ -169,7 +184,8 @@ Link Builder::link_input(int index, const JsonValue& written) {
     if (!scope.usable) return {};
     std::vector<std::string> names;
     for (const auto& entry : scope.inputs) names.push_back(entry.first);
-    return broken(written.place(), "the graph has no input '" + reference.node + "'" + did_you_mean_of(reference.node, names));
+    return broken(written.place(),
+                  "the graph has no input '" + reference.node + "'" + did_you_mean_of(reference.node, names));
   }
   Scope::Input& input = known->second;
   if (input.given == nullptr) return {};
@@ -196,7 +212,8 @@ Link Builder::link_text(int index, const JsonValue& written) {
   std::string error;
   const bool readable = parse_reference(text, reference, error);
   const bool ids_wrong = !readable && text.find('[') != std::string::npos;
-  if (!readable && !ids_wrong && looks_like_a_path(text)) return broken(written.place(), "found " + found(written) + how_files_come_in);
+  if (!readable && !ids_wrong && looks_like_a_path(text))
+    return broken(written.place(), "found " + found(written) + how_files_come_in);
   if (!readable) return broken(written.place(), error);
 
   const Scope& scope = scopes_[index];
@@ -206,13 +223,18 @@ Link Builder::link_text(int index, const JsonValue& written) {
     const std::string node = reference.node.substr(0, reference.node.find('/'));
     const auto outer = scope.entries.find(node);
     if (node != reference.node && outer != scope.entries.end() && outer->second.subgraph)
-      return broken(written.place(), "'" + reference.node + "' is inside the subgraph '" + node + "': only its outputs can be read, as \"" + node + ".output\"");
+      return broken(written.place(), "'" + reference.node + "' is inside the subgraph '" + node +
+                                         "': only its outputs can be read, as \"" + node + ".output\"");
     const std::string hint = did_you_mean(reference.node, scope.entry_names);
-    if (hint.empty() && looks_like_a_path(text)) return broken(written.place(), "found " + found(written) + ", but there is no node '" + reference.node + "'" + how_files_come_in);
+    if (hint.empty() && looks_like_a_path(text))
+      return broken(written.place(),
+                    "found " + found(written) + ", but there is no node '" + reference.node + "'" + how_files_come_in);
     if (scope.inputs.count(reference.node) != 0)
-      return broken(written.place(), "the graph has no node '" + reference.node + "'; its input of that name is written \"@" + reference.node + "\"");
+      return broken(written.place(), "the graph has no node '" + reference.node +
+                                         "'; its input of that name is written \"@" + reference.node + "\"");
     if (scope.params.count(reference.node) != 0)
-      return broken(written.place(), "the graph has no node '" + reference.node + "'; its parameter of that name is written \"${" + reference.node + "}\"");
+      return broken(written.place(), "the graph has no node '" + reference.node +
+                                         "'; its parameter of that name is written \"${" + reference.node + "}\"");
     return broken(written.place(), "the graph has no node '" + reference.node + "'" + hint);
   }
 
@@ -231,11 +253,13 @@ Link Builder::link_text(int index, const JsonValue& written) {
   if (!reference.output.empty()) {
     chosen = std::find(names.begin(), names.end(), reference.output);
     if (chosen == names.end()) {
-      return broken(written.place(), "'" + reference.node + "' has no output '" + reference.output + "'" + did_you_mean_of(reference.output, names));
+      return broken(written.place(), "'" + reference.node + "' has no output '" + reference.output + "'" +
+                                         did_you_mean_of(reference.output, names));
     }
   } else if (names.size() != 1) {
     if (names.empty()) return broken(written.place(), "'" + reference.node + "' has no output");
-    return broken(written.place(), "'" + reference.node + "' has the outputs " + listed(names) + ": write \"" + reference.node + "." + names[0] + "\"");
+    return broken(written.place(), "'" + reference.node + "' has the outputs " + listed(names) + ": write \"" +
+                                       reference.node + "." + names[0] + "\"");
   }
   if (known->second.subgraph) {
     Link result = link_output(known->second.index, *chosen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of graphs and nodes, and the settings of the command line.
+// Parameters of graphs and nodes.
 #include <algorithm>
 
 #include "engine/graph/builder.h"
@@ -22,11 +22,16 @@ std::string type_name(const BoundParam& param) {
   if (param.path) return "path";
   const std::string list = param.type.list ? "list of " : "";
   switch (param.type.kind) {
-    case ParamKind::boolean: return list + "boolean";
-    case ParamKind::integer: return list + "integer";
-    case ParamKind::real: return list + "real";
-    case ParamKind::string: return list + "string";
-    case ParamKind::choice: return list + "choice";
+    case ParamKind::boolean:
+      return list + "boolean";
+    case ParamKind::integer:
+      return list + "integer";
+    case ParamKind::real:
+      return list + "real";
+    case ParamKind::string:
+      return list + "string";
+    case ParamKind::choice:
+      return list + "choice";
   }
   return {};
 }
@@ -35,14 +40,8 @@ std::string type_name(const BoundParam& param) {
 bool agrees(const ParamInfo& from, const ParamInfo& to) {
   if (from.list != to.list) return false;
   const auto texts = [](ParamKind kind) { return kind == ParamKind::string || kind == ParamKind::choice; };
-  return from.kind == to.kind || (from.kind == ParamKind::integer && to.kind == ParamKind::real) || (texts(from.kind) && texts(to.kind));
-}
-
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-  std::vector<std::string> keys;
-  for (const auto& entry : map) keys.push_back(entry.first);
-  return keys;
+  return from.kind == to.kind || (from.kind == ParamKind::integer && to.kind == ParamKind::real) ||
+         (texts(from.kind) && texts(to.kind));
 }
 
 }  // namespace
@@ -53,83 +52,29 @@ bool is_substitution(const std::string& text, std::string& name) {
   return is_name(name);
 }
 
-void Builder::read_settings(const std::vector<Setting>& settings) {
-  for (const Setting& setting : settings) {
-    const std::size_t dot = setting.name.find_last_of('.');
-    const bool of_node = dot != std::string::npos;
-    const std::string node = of_node ? setting.name.substr(0, dot) : "";
-    const std::string param = of_node ? setting.name.substr(dot + 1) : setting.name;
-    Given given{param, setting.value, "--set " + setting.name};
-    if (find_setting(node, param) != nullptr)
-      problem({command_line_.shown, 0, 0, given.pointer}, "it is set twice");
-    else
-      settings_[node].push_back(std::move(given));
-  }
-}
-
-Builder::Given* Builder::find_setting(const std::string& node, const std::string& param) {
-  const auto known = settings_.find(node);
-  if (known == settings_.end()) return nullptr;
-  for (Given& given : known->second)
-    if (given.name == param) return &given;
-  return nullptr;
-}
-
-void Builder::report_unused_settings() {
-  std::vector<std::string> node_ids;
-  for (const FlatNode& node : nodes_) node_ids.push_back(node.id);
-  for (std::size_t i = 1; i < scopes_.size(); ++i) node_ids.push_back(scopes_[i].prefix.substr(0, scopes_[i].prefix.size() - 1));
-  for (const auto& [node, given] : settings_)
-    for (const Given& setting : given) {
-      if (setting.used) continue;
-      const Place place{command_line_.shown, 0, 0, setting.pointer};
-      if (node.empty()) {
-        problem(place, "the graph has no parameter '" + setting.name + "'" + did_you_mean_of(setting.name, keys_of(scopes_[0].params)));
-        continue;
-      }
-      std::vector<std::string> names;
-      bool known = false, readable = true;
-      for (const FlatNode& other : nodes_)
-        if (other.id == node) {
-          known = true;
-          readable = other.info != nullptr;
-          for (const ParamInfo& param : readable ? other.info->params : std::vector<ParamInfo>()) names.push_back(param.name);
-        }
-      for (std::size_t i = 1; i < scopes_.size(); ++i) {
-        const Scope& scope = scopes_[i];
-        if (node + "/" == scope.prefix) {
-          known = true;
-          readable = scope.usable;
-          names = keys_of(scope.params);
-        } else if (!scope.usable && node.starts_with(scope.prefix)) {
-          readable = false;
-        }
-      }
-      if (!readable) continue;
-      if (known)
-        problem(place, "the node '" + node + "' has no parameter '" + setting.name + "'" + did_you_mean_of(setting.name, names));
-      else
-        problem(place, "the graph has no node '" + node + "'" + did_you_mean(node, node_ids));
-    }
-}
-
 std::optional<BoundParam> Builder::declare_param(const JsonMember& member) {
   BoundParam bound;
   bound.type.name = member.key;
   bound.type.low = -no_bound;
   bound.type.high = no_bound;
   const std::size_t before = problems_.size();
-  if (!is_name(member.key)) problem(member.place(), quoted_text(member.key) + " is no name of a parameter: names are made of letters, digits and '_', and start with no digit");
+  if (!is_name(member.key))
+    problem(member.place(),
+            quoted_text(member.key) +
+                " is no name of a parameter: names are made of letters, digits and '_', and start with no digit");
   if (!check_object(member.value, {"type", "default", "optional", "choices", "list", "doc"}, "a parameter")) return {};
   const JsonMember* const type = member.value.find("type");
   if (type == nullptr) {
-    if (problems_.size() == before) problem(member.place(), "the key \"type\" is missing: one of " + listed(type_names(), "or"));
+    if (problems_.size() == before)
+      problem(member.place(), "the key \"type\" is missing: one of " + listed(type_names(), "or"));
     return {};
   }
   const auto& names = type_names();
-  const auto known = type->value.is(Kind::string) ? std::find(names.begin(), names.end(), type->value.text) : names.end();
+  const auto known =
+      type->value.is(Kind::string) ? std::find(names.begin(), names.end(), type->value.text) : names.end();
   if (known == names.end()) {
-    problem(type->value.place(), "found " + found(type->value) + ", expected one of " + listed(names, "or") + did_you_mean(type->value.text, names));
+    problem(type->value.place(), "found " + found(type->value) + ", expected one of " + listed(names, "or") +
+                                     did_you_mean(type->value.text, names));
     return {};
   }
   bound.path = *known == "path";
@@ -141,12 +86,14 @@ std::optional<BoundParam> Builder::declare_param(const JsonMember& member) {
   const auto flag = [&](const char* key, bool& value) {
     const JsonMember* const given = member.value.find(key);
     if (given == nullptr) return;
-    if (!given->value.is(Kind::boolean)) problem(given->value.place(), "found " + found(given->value) + ", expected true or false");
+    if (!given->value.is(Kind::boolean))
+      problem(given->value.place(), "found " + found(given->value) + ", expected true or false");
     value = given->value.boolean;
   };
   flag("optional", bound.optional);
   flag("list", bound.type.list);
-  if (bound.type.list && bound.path) problem(member.value.find("list")->place(), "a path cannot be a list: give a folder to the node files.list");
+  if (bound.type.list && bound.path)
+    problem(member.value.find("list")->place(), "a path cannot be a list: give a folder to the node files.list");
   if (const JsonMember* const doc = member.value.find("doc")) {
     if (!doc->value.is(Kind::string)) problem(doc->value.place(), "found " + found(doc->value) + ", expected a text");
     bound.type.doc = doc->value.text;
@@ -155,11 +102,13 @@ std::optional<BoundParam> Builder::declare_param(const JsonMember& member) {
   if (bound.type.kind == ParamKind::choice) {
     if (choices == nullptr) problem(member.place(), "the key \"choices\" is missing: a list of strings");
   } else if (choices != nullptr) {
-    problem(choices->place(), "only a parameter of type \"choice\" has choices; this one is of type " + quoted_text(*known));
+    problem(choices->place(),
+            "only a parameter of type \"choice\" has choices; this one is of type " + quoted_text(*known));
   }
   if (choices != nullptr && bound.type.kind == ParamKind::choice) {
     const bool usable = choices->value.is(Kind::array) && !choices->value.items.empty() &&
-                        std::all_of(choices->value.items.begin(), choices->value.items.end(), [](const JsonValue& item) { return item.is(Kind::string); });
+                        std::all_of(choices->value.items.begin(), choices->value.items.end(),
+                                    [](const JsonValue& item) { return item.is(Kind::string); });
     if (!usable) problem(choices->value.place(), "found " + found(choices->value) + ", expected a list of strings");
     if (usable)
       for (const JsonValue& item : choices->value.items) bound.type.choices.push_back(item.text);
@@ -172,10 +121,12 @@ void Builder::read_params(int index, const JsonMember* embedding) {
   Scope& scope = scopes_[index];
   const JsonMember* const given = embedding != nullptr ? embedding->value.find("params") : nullptr;
   const bool given_usable = given == nullptr || given->value.is(Kind::object);
-  if (!given_usable) problem(given->value.place(), "found " + found(given->value) + ", expected an object of parameters");
+  if (!given_usable)
+    problem(given->value.place(), "found " + found(given->value) + ", expected an object of parameters");
   if (const JsonMember* const params = scope.file->tree.find("params")) {
     if (!params->value.is(Kind::object)) {
-      problem(params->value.place(), "found " + found(params->value) + ", expected an object of parameters: {\"name\": {\"type\": ...}}");
+      problem(params->value.place(),
+              "found " + found(params->value) + ", expected an object of parameters: {\"name\": {\"type\": ...}}");
       scope.usable = false;
       return;
     }
@@ -183,18 +134,21 @@ void Builder::read_params(int index, const JsonMember* embedding) {
       std::optional<BoundParam> declared = declare_param(member);
       const bool sound = declared.has_value();
       BoundParam& bound = scope.params[member.key] = sound ? std::move(*declared) : BoundParam{};
-      bound.setting = scope.prefix.empty() ? member.key : scope.prefix.substr(0, scope.prefix.size() - 1) + "." + member.key;
+      bound.setting =
+          scope.prefix.empty() ? member.key : scope.prefix.substr(0, scope.prefix.size() - 1) + "." + member.key;
       bound.broken = !sound || !given_usable;
       if (!bound.broken)
         bind_param(index, bound, member, embedding);
-      else if (Given* const setting = find_setting(scope.prefix.empty() ? "" : scope.prefix.substr(0, scope.prefix.size() - 1), member.key))
+      else if (Given* const setting = find_setting(
+                   scope.prefix.empty() ? "" : scope.prefix.substr(0, scope.prefix.size() - 1), member.key))
         setting->used = true;
     }
   }
   if (given == nullptr || !given_usable) return;
   for (const JsonMember& member : given->value.members)
     if (scope.params.count(member.key) == 0)
-      problem(member.place(), scope.file->source.shown + " has no parameter " + quoted_text(member.key) + did_you_mean_of(member.key, keys_of(scope.params)));
+      problem(member.place(), scope.file->source.shown + " has no parameter " + quoted_text(member.key) +
+                                  did_you_mean_of(member.key, keys_of(scope.params)));
 }
 
 // The value of a graph's parameter: what is set, else what the embedding node gives, else the default.
@@ -213,7 +167,8 @@ void Builder::bind_param(int index, BoundParam& bound, const JsonMember& declare
     bound.broken = true;
     return false;
   };
-  if (const JsonMember* const initial = declared.value.find("default"); initial != nullptr && check(initial->value)) bound.value = &initial->value;
+  if (const JsonMember* const initial = declared.value.find("default"); initial != nullptr && check(initial->value))
+    bound.value = &initial->value;
 
   const JsonMember* const params = embedding != nullptr ? embedding->value.find("params") : nullptr;
   const JsonMember* const given = params != nullptr ? params->value.find(declared.key) : nullptr;
@@ -224,17 +179,20 @@ void Builder::bind_param(int index, BoundParam& bound, const JsonMember& declare
       if (outer == nullptr || outer->broken) {
         bound.broken = true;
       } else if (outer->path != bound.path || !agrees(outer->type, bound.type)) {
-        problem(given->value.place(), "'" + outer->type.name + "' is a parameter of type " + type_name(*outer) + ", expected " + type_name(bound));
+        problem(given->value.place(), "'" + outer->type.name + "' is a parameter of type " + type_name(*outer) +
+                                          ", expected " + type_name(bound));
         bound.broken = true;
       } else if (outer->value != nullptr) {
         if (std::string error; !bound.path && !read_param(*outer->value, bound.type, error)) {
-          if (blamed_.insert(outer->value).second) problem(outer->value->place(), error + " (it goes to '" + bound.setting + "')");
+          if (blamed_.insert(outer->value).second)
+            problem(outer->value->place(), error + " (it goes to '" + bound.setting + "')");
           bound.broken = true;
         }
         bound.value = outer->value;
       } else if (bound.value == nullptr) {
         if (!bound.path && !bound.optional) {
-          problem(given->value.place(), "'" + outer->type.name + "' is optional and unset, but '" + declared.key + "' of " + scope.file->source.shown + " needs a value");
+          problem(given->value.place(), "'" + outer->type.name + "' is optional and unset, but '" + declared.key +
+                                            "' of " + scope.file->source.shown + " needs a value");
           bound.broken = true;
         }
         bound.optional = true;
@@ -254,9 +212,11 @@ void Builder::bind_param(int index, BoundParam& bound, const JsonMember& declare
   if (bound.value != nullptr || bound.optional || bound.broken) return;
   bound.broken = true;
   if (embedding != nullptr)
-    problem(embedding->place(), "the parameter '" + declared.key + "' of " + scope.file->source.shown + " needs a value");
+    problem(embedding->place(),
+            "the parameter '" + declared.key + "' of " + scope.file->source.shown + " needs a value");
   else
-    problem(declared.place(), "the parameter '" + declared.key + "' needs a value: --set " + declared.key + "=" + (bound.path ? "PATH" : "VALUE"));
+    problem(declared.place(), "the parameter '" + declared.key + "' needs a value: --set " + declared.key + "=" +
+                                  (bound.path ? "PATH" : "VALUE"));
 }
 
 // The graph's parameter that a "${x}" names; null for what names none, which is reported.
@@ -268,13 +228,15 @@ const BoundParam* Builder::find_param(int index, const JsonValue& written) {
   }
   const auto known = scopes_[index].params.find(name);
   if (known != scopes_[index].params.end()) return &known->second;
-  if (const JsonMember* const params = scopes_[index].file->tree.find("params"); params == nullptr || params->value.is(Kind::object))
-    problem(written.place(), "the graph has no parameter '" + name + "'" + did_you_mean_of(name, keys_of(scopes_[index].params)));
+  if (const JsonMember* const params = scopes_[index].file->tree.find("params");
+      params == nullptr || params->value.is(Kind::object))
+    problem(written.place(),
+            "the graph has no parameter '" + name + "'" + did_you_mean_of(name, keys_of(scopes_[index].params)));
   return nullptr;
 }
 
-// A node's parameter as written, "${x}" included. False when there is none to take: it is wrong, which is reported, or it is
-// bound to an optional parameter that is unset.
+// A node's parameter as written, "${x}" included. False when there is none to take: it is wrong, which is reported, or
+// it is bound to an optional parameter that is unset.
 bool Builder::read_value(int index, const JsonValue& written, const ParamInfo& param, ParamValue& value) {
   std::string error;
   const JsonValue* read = &written;
@@ -287,11 +249,13 @@ bool Builder::read_value(int index, const JsonValue& written, const ParamInfo& p
     const BoundParam* const bound = find_param(index, written);
     if (bound == nullptr || bound->broken) return false;
     if (bound->path) {
-      problem(written.place(), "'" + bound->type.name + "' is a path: a node takes a file as an input, never as a parameter");
+      problem(written.place(),
+              "'" + bound->type.name + "' is a path: a node takes a file as an input, never as a parameter");
       return false;
     }
     if (!agrees(bound->type, param)) {
-      problem(written.place(), "'" + bound->type.name + "' is a parameter of type " + type_name(*bound) + ", expected " + expected_value(param));
+      problem(written.place(), "'" + bound->type.name + "' is a parameter of type " + type_name(*bound) +
+                                   ", expected " + expected_value(param));
       return false;
     }
     if (bound->value == nullptr) return false;
@@ -324,9 +288,11 @@ void Builder::read_node_params(int index, const JsonMember& member, FlatNode& no
       if (param >= 0)
         read_value(index, given.value, node.info->params[param], node.params[param]);
       else if (node.info->find_input(given.key) >= 0)
-        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + "; it is one of its \"inputs\"");
+        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) +
+                                   "; it is one of its \"inputs\"");
       else
-        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) + did_you_mean_of(given.key, names));
+        problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) +
+                                   did_you_mean_of(given.key, names));
     }
   }
   const auto settings = settings_.find(node.id);

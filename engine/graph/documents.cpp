@@ -46,20 +46,23 @@ const GraphFile& Documents::read_extended(const std::string& path, const std::st
     return file;
   }
   if (!extends->value.is(JsonValue::Kind::string) || extends->value.text.empty()) {
-    problems_.push_back({extends->value.place(), "found " + found(extends->value) + ", expected the path of a graph file"});
+    problems_.push_back(
+        {extends->value.place(), "found " + found(extends->value) + ", expected the path of a graph file"});
     return file;
   }
   const std::string base_path = resolve_path(file.source, extends->value.text);
   const std::string base_shown = shown_path(file.source, extends->value.text);
   if (chain.size() >= most_extended) {
-    problems_.push_back({extends->value.place(), "more than " + std::to_string(most_extended) + " files extend each other"});
+    problems_.push_back(
+        {extends->value.place(), "more than " + std::to_string(most_extended) + " files extend each other"});
     return file;
   }
   chain.push_back(path);
   if (const auto start = std::find(chain.begin(), chain.end(), base_path); start != chain.end()) {
     std::string ring;
     for (auto at = start; at != chain.end(); ++at) ring += files_.at(*at)->source.shown + " extends ";
-    problems_.push_back({extends->value.place(), "a file cannot extend itself: " + ring + files_.at(*start)->source.shown});
+    problems_.push_back(
+        {extends->value.place(), "a file cannot extend itself: " + ring + files_.at(*start)->source.shown});
     return file;
   }
   const GraphFile& base = read_extended(base_path, base_shown, extends->value.place(), chain);
@@ -91,10 +94,12 @@ bool Documents::read_tree(GraphFile& file, const Place& asked_at) {
   const std::uintmax_t size = fs::file_size(file.path, code);
   if (code) return fail("cannot be read: " + code.message());
   if (size > most_bytes)
-    return fail("has " + std::to_string(size) + " bytes, expected a graph file of at most " + std::to_string(most_bytes));
+    return fail("has " + std::to_string(size) + " bytes, expected a graph file of at most " +
+                std::to_string(most_bytes));
   std::ifstream stream(file.path, std::ios::binary);
   std::string text(size, '\0');
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size))) return fail(std::string("cannot be read: ") + std::strerror(errno));
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+    return fail(std::string("cannot be read: ") + std::strerror(errno));
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return fail("is empty, expected a graph file");
   if (!parse_json(text, file.source, file.tree, problems_)) return false;
   if (file.tree.is(JsonValue::Kind::object)) return true;
@@ -107,11 +112,13 @@ bool Documents::check_version(const GraphFile& file) {
   const JsonMember* const version = file.tree.find("facegraph");
   if (version == nullptr) {
     if (file.tree.find("extends") != nullptr) return true;  // that of the base
-    problems_.push_back({file.tree.place(), "the key \"facegraph\" is missing: a graph file starts with \"facegraph\": 1"});
+    problems_.push_back(
+        {file.tree.place(), "the key \"facegraph\" is missing: a graph file starts with \"facegraph\": 1"});
     return false;
   }
   if (version->value.is(JsonValue::Kind::integer) && version->value.integer == 1) return true;
-  problems_.push_back({version->value.place(), "found " + found(version->value) + ", expected 1: the version of graph files that this program reads"});
+  problems_.push_back({version->value.place(), "found " + found(version->value) +
+                                                   ", expected 1: the version of graph files that this program reads"});
   return false;
 }
 

@@ -12,9 +12,9 @@ namespace engine {
 // A graph file with what it extends merged in.
 struct GraphFile {
   SourceFile source;
-  std::string path;      // absolute, normalised
-  JsonValue tree;        // an object
-  bool usable = false;   // false: it could not be read, which is among the problems
+  std::string path;     // absolute, normalised
+  JsonValue tree;       // an object
+  bool usable = false;  // false: it could not be read, which is among the problems
 };
 
 // Reads graph files, each once. Files and their values live as long as this object.

@@ -36,7 +36,7 @@ struct FlatNode {
   const NodeInfo* info = nullptr;  // null: unknown, and reported
   Place place;
   std::vector<std::vector<Link>> ports;
-  bool input_missing = false;      // a required input is not given at all, which is reported
+  bool input_missing = false;  // a required input is not given at all, which is reported
   std::vector<ParamValue> params;
   std::vector<Override> overrides;
 };
@@ -53,6 +53,10 @@ struct FlatGraph {
   std::vector<InputCheck> input_checks;
   bool outputs_reported = false;  // that there is no output has been said
 };
+
+// The nodes with producers before consumers, else as written. Rings are reported, each once; on_ring (one per node)
+// tells which nodes lie on one.
+std::vector<int> find_order(const FlatGraph& flat, std::vector<bool>& on_ring, std::vector<Problem>& problems);
 
 // Checks the graph and puts it into its final form.
 void analyse_graph(const FlatGraph& flat, Graph& graph, std::vector<Problem>& problems);

@@ -66,9 +66,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     scalar(JsonValue::Kind::boolean)->boolean = value;
     return true;
   }
-  bool number_integer(std::int64_t value) override { return number(JsonValue::Kind::integer, value, static_cast<double>(value)); }
+  bool number_integer(std::int64_t value) override {
+    return number(JsonValue::Kind::integer, value, static_cast<double>(value));
+  }
   bool number_unsigned(std::uint64_t value) override {
-    if (value > static_cast<std::uint64_t>(INT64_MAX)) return number(JsonValue::Kind::real, 0, static_cast<double>(value));
+    if (value > static_cast<std::uint64_t>(INT64_MAX))
+      return number(JsonValue::Kind::real, 0, static_cast<double>(value));
     return number_integer(static_cast<std::int64_t>(value));
   }
   bool number_float(double value, const std::string&) override { return number(JsonValue::Kind::real, 0, value); }
@@ -104,15 +107,21 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string message = error.what();
     for (const char* const prefix : {"] ", "parse error at ", ": ", " - "}) {
       const std::size_t at = message.find(prefix);
-      if (at != std::string::npos && (at < 40 || prefix[0] == ' ')) message.erase(0, at + std::char_traits<char>::length(prefix));
+      if (at != std::string::npos && (at < 40 || prefix[0] == ' '))
+        message.erase(0, at + std::char_traits<char>::length(prefix));
     }
     start_token();
     message.erase(std::min(message.find("; last read"), message.size()));  // it may hold what stands before
-    if (message == "invalid literal") message += " " + quoted_text(text_.substr(start_, text_.find_first_of(" \t\r\n,:]}", start_) - start_));
+    if (message == "invalid literal")
+      message += " " + quoted_text(text_.substr(start_, text_.find_first_of(" \t\r\n,:]}", start_) - start_));
     const char next = start_ < text_.size() ? text_[start_] : '\0';
-    if (comma_ && (next == '}' || next == ']')) message = std::string("a comma stands before '") + next + "'";
-    else if (!comma_ && message.starts_with("unexpected") && (message.ends_with("expected '}'") || message.ends_with("expected ']'"))) message += " or a comma";
-    else if (message.find("U+000A") != std::string::npos) message = "the string is not closed in its line";
+    if (comma_ && (next == '}' || next == ']'))
+      message = std::string("a comma stands before '") + next + "'";
+    else if (!comma_ && message.starts_with("unexpected") &&
+             (message.ends_with("expected '}'") || message.ends_with("expected ']'")))
+      message += " or a comma";
+    else if (message.find("U+000A") != std::string::npos)
+      message = "the string is not closed in its line";
     problems_.push_back({{source_.shown, line_, column_, {}}, "not valid JSON: " + message});
     return false;
   }
@@ -120,16 +129,18 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  private:
   struct Level {
     JsonValue* value = nullptr;
-    JsonMember key;                                // of the member that comes next
-    bool dropped = false;                          // that member is a duplicate
-    JsonValue spare;                               // where a duplicate's value goes
-    std::unordered_map<std::string, int> lines;    // keys seen
+    JsonMember key;                              // of the member that comes next
+    bool dropped = false;                        // that member is a duplicate
+    JsonValue spare;                             // where a duplicate's value goes
+    std::unordered_map<std::string, int> lines;  // keys seen
   };
 
   void start_token() {
     std::size_t at = previous_end_;
     comma_ = false;
-    const auto end_of = [&](std::string_view mark, std::size_t from) { return std::min(text_.find(mark, from), text_.size()); };
+    const auto end_of = [&](std::string_view mark, std::size_t from) {
+      return std::min(text_.find(mark, from), text_.size());
+    };
     while (at < text_.size()) {
       const char c = text_[at];
       if (c == '/' && at + 1 < text_.size() && text_[at + 1] == '/')
@@ -219,15 +230,6 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool comma_ = false;  // one stands before the token
 };
 
-// A copy of a patch's value without the nulls in its objects.
-JsonValue without_nulls(const JsonValue& patch, std::vector<Problem>& problems) {
-  if (!patch.is(JsonValue::Kind::object)) return patch;
-  JsonValue empty = patch;
-  empty.members.clear();
-  merge_patch(empty, patch, problems);
-  return empty;
-}
-
 }  // namespace
 
 const JsonMember* JsonValue::find(std::string_view key) const {
@@ -243,50 +245,9 @@ bool parse_json(std::string_view text, const SourceFile& source, JsonValue& docu
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::size_t read = 0;
   TreeBuilder builder(text, read, source, document, problems);
-  return nlohmann::json::sax_parse(CountingIterator(text.data(), &read), CountingIterator(text.data() + text.size(), &read),
-                                   &builder, nlohmann::json::input_format_t::json, true, true);
-}
-
-void merge_patch(JsonValue& target, const JsonValue& patch, std::vector<Problem>& problems) {
-  if (!patch.is(JsonValue::Kind::object)) {
-    target = patch;
-    return;
-  }
-  if (!target.is(JsonValue::Kind::object)) {
-    target = patch;
-    target.members.clear();
-  }
-  std::unordered_map<std::string_view, std::size_t> index;
-  for (std::size_t i = 0; i < target.members.size(); ++i) index.emplace(target.members[i].key, i);
-  std::vector<bool> removed(target.members.size(), false);
-  std::vector<JsonMember> added;
-  for (const JsonMember& member : patch.members) {
-    const auto known = index.find(member.key);
-    if (member.value.is(JsonValue::Kind::null)) {
-      if (known != index.end()) {
-        removed[known->second] = true;
-      } else {
-        std::vector<std::string> names;
-        for (const JsonMember& other : target.members) names.push_back(other.key);
-        problems.push_back({member.place(), "null removes " + quoted_text(member.key) + ", but there is none in the graph that is extended" +
-                                                did_you_mean(member.key, names)});
-      }
-    } else if (known == index.end()) {
-      added.push_back(member);
-      added.back().value = without_nulls(member.value, problems);
-    } else if (JsonMember& own = target.members[known->second];
-               own.value.is(JsonValue::Kind::object) && member.value.is(JsonValue::Kind::object)) {
-      merge_patch(own.value, member.value, problems);
-    } else {
-      own = member;
-      own.value = without_nulls(member.value, problems);
-    }
-  }
-  std::vector<JsonMember> merged;
-  for (std::size_t i = 0; i < target.members.size(); ++i)
-    if (!removed[i]) merged.push_back(std::move(target.members[i]));
-  for (JsonMember& member : added) merged.push_back(std::move(member));
-  target.members = std::move(merged);
+  return nlohmann::json::sax_parse(CountingIterator(text.data(), &read),
+                                   CountingIterator(text.data() + text.size(), &read), &builder,
+                                   nlohmann::json::input_format_t::json, true, true);
 }
 
 std::string quoted_text(std::string_view text) {
@@ -310,13 +271,19 @@ std::string quoted_text(std::string_view text) {
 
 std::string found(const JsonValue& value) {
   switch (value.kind) {
-    case JsonValue::Kind::null: return "null";
-    case JsonValue::Kind::boolean: return value.boolean ? "true" : "false";
+    case JsonValue::Kind::null:
+      return "null";
+    case JsonValue::Kind::boolean:
+      return value.boolean ? "true" : "false";
     case JsonValue::Kind::integer:
-    case JsonValue::Kind::real: return "the number " + value.text;
-    case JsonValue::Kind::string: return "the string " + quoted_text(value.text);
-    case JsonValue::Kind::array: return value.items.empty() ? "an empty list" : "a list";
-    case JsonValue::Kind::object: return "an object";
+    case JsonValue::Kind::real:
+      return "the number " + value.text;
+    case JsonValue::Kind::string:
+      return "the string " + quoted_text(value.text);
+    case JsonValue::Kind::array:
+      return value.items.empty() ? "an empty list" : "a list";
+    case JsonValue::Kind::object:
+      return "an object";
   }
   return {};
 }

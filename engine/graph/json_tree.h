@@ -29,8 +29,8 @@ struct JsonValue {
   std::vector<JsonValue> items;     // of an array
   std::vector<JsonMember> members;  // of an object, in the order written
   const SourceFile* source = nullptr;
-  int line = 0, column = 0;         // from 1; columns count characters, not bytes
-  std::string pointer;              // JSON pointer
+  int line = 0, column = 0;  // from 1; columns count characters, not bytes
+  std::string pointer;       // JSON pointer
 
   bool is(Kind wanted) const { return kind == wanted; }
   const JsonMember* find(std::string_view key) const;
@@ -46,8 +46,8 @@ struct JsonMember {
   Place place() const;
 };
 
-// Reads a document. Returns false where it is no JSON; what is wrong goes to problems (duplicate keys too, which leave a
-// readable document that holds the first of them).
+// Reads a document. Returns false where it is no JSON; what is wrong goes to problems (duplicate keys too, which leave
+// a readable document that holds the first of them).
 bool parse_json(std::string_view text, const SourceFile& source, JsonValue& document, std::vector<Problem>& problems);
 
 // Applies a merge patch (RFC 7386). Every value keeps the place where it was written. A null that removes nothing is a

@@ -26,7 +26,8 @@ std::string text_of(const Override::Range& range) {
 void check_overrides(const FlatNode& node, int mapped_depth, std::vector<Problem>& problems) {
   if (node.overrides.empty()) return;
   if (mapped_depth == 0) {
-    problems.push_back({node.overrides[0].place, "'" + node.id + "' is not mapped over a sequence: there are no elements to override"});
+    problems.push_back({node.overrides[0].place,
+                        "'" + node.id + "' is not mapped over a sequence: there are no elements to override"});
     return;
   }
   using Parents = std::vector<std::string>;
@@ -36,8 +37,9 @@ void check_overrides(const FlatNode& node, int mapped_depth, std::vector<Problem
     for (const Override::Range& range : override.ranges) {
       const std::size_t levels = range.parents.size();
       if (levels != 0 && static_cast<int>(levels) != mapped_depth - 1)
-        problems.push_back({override.place, "'" + text_of(range) + "' has " + std::to_string(levels + 1) + " levels, but '" + node.id +
-                                                "' is mapped over " + std::to_string(mapped_depth)});
+        problems.push_back({override.place, "'" + text_of(range) + "' has " + std::to_string(levels + 1) +
+                                                " levels, but '" + node.id + "' is mapped over " +
+                                                std::to_string(mapped_depth)});
       else
         groups[range.parents].push_back({&range, &override, order++});
     }
@@ -55,9 +57,11 @@ void check_overrides(const FlatNode& node, int mapped_depth, std::vector<Problem
       if (overlaps && !told) {
         const Entry& later = widest->order < entry.order ? entry : *widest;
         const Entry& earlier = widest->order < entry.order ? *widest : entry;
-        problems.push_back({later.override->place, "'" + text_of(*later.range) + "' overlaps '" + text_of(*earlier.range) + "' of " +
-                                                       (later.override == earlier.override ? "the same key" : "\"" + earlier.override->text + "\"") +
-                                                       ": which value holds would be a guess"});
+        problems.push_back(
+            {later.override->place,
+             "'" + text_of(*later.range) + "' overlaps '" + text_of(*earlier.range) + "' of " +
+                 (later.override == earlier.override ? "the same key" : "\"" + earlier.override->text + "\"") +
+                 ": which value holds would be a guess"});
       }
       if (widest == nullptr || id_before(widest->range->last, entry.range->last)) widest = &entry;
     }

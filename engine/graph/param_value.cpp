@@ -33,11 +33,16 @@ std::string choices_text(const ParamInfo& param) {
 
 std::string expected_one(const ParamInfo& param, bool plural) {
   switch (param.kind) {
-    case ParamKind::boolean: return plural ? "true and false" : "true or false";
-    case ParamKind::integer: return (plural ? "integers" : "an integer") + range_text(param);
-    case ParamKind::real: return (plural ? "numbers" : "a number") + range_text(param);
-    case ParamKind::string: return plural ? "strings" : "a string";
-    case ParamKind::choice: return (plural ? "" : "one of ") + choices_text(param);
+    case ParamKind::boolean:
+      return plural ? "true and false" : "true or false";
+    case ParamKind::integer:
+      return (plural ? "integers" : "an integer") + range_text(param);
+    case ParamKind::real:
+      return (plural ? "numbers" : "a number") + range_text(param);
+    case ParamKind::string:
+      return plural ? "strings" : "a string";
+    case ParamKind::choice:
+      return (plural ? "" : "one of ") + choices_text(param);
   }
   return {};
 }
@@ -48,10 +53,14 @@ bool in_range(double value, const ParamInfo& param) {
 
 bool fits(const JsonValue& value, const ParamInfo& param) {
   switch (param.kind) {
-    case ParamKind::boolean: return value.is(Kind::boolean);
-    case ParamKind::integer: return value.is(Kind::integer) && in_range(value.real, param);
-    case ParamKind::real: return (value.is(Kind::integer) || value.is(Kind::real)) && in_range(value.real, param);
-    case ParamKind::string: return value.is(Kind::string);
+    case ParamKind::boolean:
+      return value.is(Kind::boolean);
+    case ParamKind::integer:
+      return value.is(Kind::integer) && in_range(value.real, param);
+    case ParamKind::real:
+      return (value.is(Kind::integer) || value.is(Kind::real)) && in_range(value.real, param);
+    case ParamKind::string:
+      return value.is(Kind::string);
     case ParamKind::choice:
       if (!value.is(Kind::string)) return false;
       for (const std::string& choice : param.choices)
@@ -69,10 +78,14 @@ std::string mismatch(const JsonValue& value, const ParamInfo& param) {
 
 ParamValue one(const JsonValue& value, ParamKind kind) {
   switch (kind) {
-    case ParamKind::boolean: return value.boolean;
-    case ParamKind::integer: return value.integer;
-    case ParamKind::real: return value.real == 0 ? 0.0 : value.real;  // -0 is 0: equal values have equal keys
-    default: return value.text;
+    case ParamKind::boolean:
+      return value.boolean;
+    case ParamKind::integer:
+      return value.integer;
+    case ParamKind::real:
+      return value.real == 0 ? 0.0 : value.real;  // -0 is 0: equal values have equal keys
+    default:
+      return value.text;
   }
 }
 
@@ -125,14 +138,19 @@ std::optional<ParamValue> read_param(const JsonValue& value, const ParamInfo& pa
       return {};
     }
   switch (param.kind) {
-    case ParamKind::boolean: return list_of<bool>(value, param.kind);
-    case ParamKind::integer: return list_of<std::int64_t>(value, param.kind);
-    case ParamKind::real: return list_of<double>(value, param.kind);
-    default: return list_of<std::string>(value, param.kind);
+    case ParamKind::boolean:
+      return list_of<bool>(value, param.kind);
+    case ParamKind::integer:
+      return list_of<std::int64_t>(value, param.kind);
+    case ParamKind::real:
+      return list_of<double>(value, param.kind);
+    default:
+      return list_of<std::string>(value, param.kind);
   }
 }
 
-JsonValue value_of_text(std::string_view text, const ParamInfo& param, const SourceFile& source, const std::string& pointer) {
+JsonValue value_of_text(std::string_view text, const ParamInfo& param, const SourceFile& source,
+                        const std::string& pointer) {
   JsonValue value;
   if (param.list && text.starts_with('[')) {
     std::vector<Problem> problems;

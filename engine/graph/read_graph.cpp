@@ -35,7 +35,8 @@ GraphReading read_graph(const std::string& path, const std::vector<Setting>& set
   const auto key = [](const Problem& problem) {
     return std::tie(problem.place.file, problem.place.line, problem.place.column, problem.place.pointer, problem.text);
   };
-  std::sort(reading.problems.begin(), reading.problems.end(), [&](const Problem& a, const Problem& b) { return key(a) < key(b); });
+  std::sort(reading.problems.begin(), reading.problems.end(),
+            [&](const Problem& a, const Problem& b) { return key(a) < key(b); });
   const auto same = [&](const Problem& a, const Problem& b) { return key(a) == key(b); };
   reading.problems.erase(std::unique(reading.problems.begin(), reading.problems.end(), same), reading.problems.end());
   return reading;

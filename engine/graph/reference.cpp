@@ -84,7 +84,8 @@ bool parse_ranges(std::string_view text, std::vector<Override::Range>& ranges, s
     }
     const std::string_view last = parts.back();
     const std::size_t dash = last.find('-');
-    const bool two = dash != std::string_view::npos && is_integer_id(last.substr(0, dash)) && is_integer_id(last.substr(dash + 1));
+    const bool two =
+        dash != std::string_view::npos && is_integer_id(last.substr(0, dash)) && is_integer_id(last.substr(dash + 1));
     range.first = canonical_id(two ? last.substr(0, dash) : last);
     range.last = two ? canonical_id(last.substr(dash + 1)) : range.first;
     if (range.first.empty()) {

@@ -18,7 +18,8 @@ class GraphFiles {
  public:
   GraphFiles() {
     static int count = 0;
-    folder_ = std::filesystem::temp_directory_path() / ("graph_files_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+    folder_ = std::filesystem::temp_directory_path() /
+              ("graph_files_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
     std::filesystem::create_directories(folder_);
   }
   ~GraphFiles() { std::filesystem::remove_all(folder_); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of the toy plugin's nodes, made by hand, and a catalogue that holds them and the engine's own nodes: what a
-// graph is read against where no plugin is loaded.
+// Descriptions of the toy plugin's nodes, made by hand, and a catalogue that holds them and the engine's own nodes:
+// what a graph is read against where no plugin is loaded.
 #pragma once
 #include <string>
 #include <utility>
@@ -40,8 +40,8 @@ inline engine::ParamInfo toy_param(std::string name, engine::ParamKind kind, eng
   return param;
 }
 
-inline engine::NodeInfo toy_node(std::string name, std::vector<engine::InputInfo> inputs, std::vector<engine::ParamInfo> params,
-                                 std::vector<engine::OutputInfo> outputs) {
+inline engine::NodeInfo toy_node(std::string name, std::vector<engine::InputInfo> inputs,
+                                 std::vector<engine::ParamInfo> params, std::vector<engine::OutputInfo> outputs) {
   engine::NodeInfo info;
   info.name = std::move(name);
   info.inputs = std::move(inputs);
@@ -59,8 +59,10 @@ class ToyCatalogue {
     nodes_.push_back(toy_node("toy.add", {toy_input("a", "number"), toy_input("b", "number", 0, true)},
                               {toy_param("amount", ParamKind::real, 0.0, -1000, 1000)}, {toy_output("sum", "number")}));
     nodes_.push_back(toy_node("toy.concat", {toy_input("texts", "text", 1)},
-                              {toy_param("separator", ParamKind::string, std::string(" "))}, {toy_output("text", "text")}));
-    nodes_.push_back(toy_node("toy.repeat", {toy_input("text", "text")}, {toy_param("times", ParamKind::integer, std::int64_t{2}, 1, 1000)},
+                              {toy_param("separator", ParamKind::string, std::string(" "))},
+                              {toy_output("text", "text")}));
+    nodes_.push_back(toy_node("toy.repeat", {toy_input("text", "text")},
+                              {toy_param("times", ParamKind::integer, std::int64_t{2}, 1, 1000)},
                               {toy_output("texts", "text", 1)}));
     engine::InputInfo values = toy_input("values", "number");
     values.window = true;

@@ -40,7 +40,8 @@ TEST_P(BrokenGraph, IsToldWordForWord) {
 
 INSTANTIATE_TEST_SUITE_P(Graphs, BrokenGraph, testing::ValuesIn(broken_graphs()), [](const auto& test) {
   std::string name = test.param;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 });
 

@@ -61,7 +61,8 @@ TEST_F(Extends, TellsMistakesWhereTheyAreWritten) {
     "nodes": {"page": {"inputs": {"text": "many[x y]"}}}})");
   EXPECT_EQ(files.problems("b.json"),
             "a.json:2:44: /nodes/many/params/times: found the number 0, expected an integer from 1 to 1000\n"
-            "b.json:2:43: /nodes/page/inputs/text: 'many[x y]' is no reference: 'x y' is no element id (ids are made of letters, "
+            "b.json:2:43: /nodes/page/inputs/text: 'many[x y]' is no reference: 'x y' is no element id (ids are made "
+            "of letters, "
             "digits, '_', '-' and '.', and 3-5 is a range)\n");
 }
 
@@ -71,7 +72,8 @@ TEST_F(Extends, TellsAMissingFileWhereItsPathIsWritten) {
 }
 
 TEST_F(Extends, ReplacesAnObjectByAValueAndAValueByAnObject) {
-  files.write("a.json", R"({"extends": "base/graph.json", "nodes": {"text": {"inputs": {"file": {"file": "own.txt"}}}}})");
+  files.write("a.json",
+              R"({"extends": "base/graph.json", "nodes": {"text": {"inputs": {"file": {"file": "own.txt"}}}}})");
   files.write("own.txt", "mine");
   ASSERT_EQ(files.problems("a.json"), "");
   EXPECT_EQ(files.read("a.json").graph.nodes[0].inputs[0][0].path, files.path("own.txt"));
@@ -81,13 +83,15 @@ TEST_F(Extends, IsRefusedInARing) {
   files.write("a.json", R"({"extends": "b.json"})");
   files.write("b.json", R"({"extends": "c.json"})");
   files.write("c.json", R"({"extends": "b.json"})");
-  EXPECT_EQ(files.problems("a.json"), "c.json:1:13: /extends: a file cannot extend itself: b.json extends c.json extends b.json\n");
+  EXPECT_EQ(files.problems("a.json"),
+            "c.json:1:13: /extends: a file cannot extend itself: b.json extends c.json extends b.json\n");
 }
 
 TEST_F(Extends, IsTheVersionOfTheBaseUnlessTheFileSaysOtherwise) {
   files.write("a.json", R"({"facegraph": 3, "extends": "base/graph.json"})");
-  EXPECT_EQ(files.problems("a.json"),
-            "a.json:1:15: /facegraph: found the number 3, expected 1: the version of graph files that this program reads\n");
+  EXPECT_EQ(
+      files.problems("a.json"),
+      "a.json:1:15: /facegraph: found the number 3, expected 1: the version of graph files that this program reads\n");
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ TEST(Guide, HoldsNothingButJson) {
     const engine::SourceFile source{"sample", "/", ""};
     engine::JsonValue document;
     std::vector<engine::Problem> problems;
-    EXPECT_TRUE(engine::parse_json(sample[0] == '{' ? sample : "{" + sample + "}", source, document, problems)) << problems.at(0).line() << "\n" << sample;
+    EXPECT_TRUE(engine::parse_json(sample[0] == '{' ? sample : "{" + sample + "}", source, document, problems))
+        << problems.at(0).line() << "\n"
+        << sample;
     EXPECT_TRUE(problems.empty());
   }
 }
@@ -48,14 +50,16 @@ TEST(Guide, ShowsGraphsThatAreValid) {
     "many": {"node": "toy.repeat", "inputs": {"text": "text"}},
     "shout": {"graph": "shout.json", "inputs": {"words": "many"}, "params": {"mode": "lower"}},
     "page": {"node": "toy.write_text", "inputs": {"text": "shout.text"}}}, "outputs": {"page.txt": "page"}})");
-  for (const char* const name : {"graph.json", "experiment.json", "outer.json"}) EXPECT_EQ(files.problems(name), "") << name;
+  for (const char* const name : {"graph.json", "experiment.json", "outer.json"})
+    EXPECT_EQ(files.problems(name), "") << name;
 }
 
 TEST(Guide, ShowsOptionalParametersThatWork) {
   const test::GraphFiles files;
   for (const std::string& sample : samples())
     if (sample.find("\"alternatives\"") != std::string::npos)
-      files.write("graph.json", "{\"facegraph\": 1, \"outputs\": {\"page.txt\": \"page\"}, " + sample.substr(0, sample.rfind('}')) +
+      files.write("graph.json", "{\"facegraph\": 1, \"outputs\": {\"page.txt\": \"page\"}, " +
+                                    sample.substr(0, sample.rfind('}')) +
                                     ", \"page\": {\"node\": \"toy.write_text\", \"inputs\": {\"text\": \"words\"}}}}");
   files.write("line.txt", "hello");
   EXPECT_EQ(files.problems("graph.json", {{"spoken", "line.txt"}}), "");

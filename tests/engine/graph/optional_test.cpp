@@ -14,7 +14,8 @@ using test::GraphFiles;
 class Optional : public testing::Test {
  protected:
   Optional() {
-    files.catalogue.add(test::toy_node("toy.label", {test::toy_input("text", "text"), test::toy_input("label", "text", 0, true)}, {},
+    files.catalogue.add(test::toy_node("toy.label",
+                                       {test::toy_input("text", "text"), test::toy_input("label", "text", 0, true)}, {},
                                        {test::toy_output("text", "text")}));
     files.write("a.txt", "a");
     files.write("b.txt", "b");
@@ -72,15 +73,18 @@ TEST_F(Optional, UnsetValuesLeaveTheNodesOwnDefault) {
 
 TEST_F(Optional, AGraphWithoutAnyOutputSaysWhatToSet) {
   EXPECT_EQ(files.problems("graph.json"),
-            "graph.json:13:19: /outputs/page.txt: no output is left, since optional parameters are unset: --set a=PATH or --set b=PATH\n");
+            "graph.json:13:19: /outputs/page.txt: no output is left, since optional parameters are unset: --set a=PATH "
+            "or --set b=PATH\n");
 }
 
 TEST_F(Optional, MistakesInAbsentNodesAreToldAllTheSame) {
   files.write("wrong.json", R"({"extends": "graph.json", "nodes": {"loud_a": {"params": {"mode": "up"}},
     "sizes": {"node": "toy.length", "inputs": {"text": "from_a[3]"}}}})");
   EXPECT_EQ(files.problems("wrong.json", {{"b", "b.txt"}}),
-            "wrong.json:1:67: /nodes/loud_a/params/mode: found the string \"up\", expected one of \"upper\", \"lower\", \"title\"\n"
-            "wrong.json:2:56: /nodes/sizes/inputs/text: the reference selects an element 1 level deep, but 'from_a' is a single value\n");
+            "wrong.json:1:67: /nodes/loud_a/params/mode: found the string \"up\", expected one of \"upper\", "
+            "\"lower\", \"title\"\n"
+            "wrong.json:2:56: /nodes/sizes/inputs/text: the reference selects an element 1 level deep, but 'from_a' is "
+            "a single value\n");
 }
 
 TEST_F(Optional, DepthsAreThoseOfWhatIsPresent) {
@@ -121,8 +125,9 @@ TEST_F(Optional, PassesThroughSubgraphs) {
   ASSERT_EQ(files.problems("outer.json"), "");
   EXPECT_EQ(ids(files.read("outer.json").graph), "text part/both page ");
   files.write("only.json", R"({"extends": "outer.json", "outputs": {"page.txt": null}})");
-  EXPECT_EQ(files.problems("only.json"),
-            "outer.json:7:37: /outputs/own.txt: no output is left, since optional parameters are unset: --set line=PATH\n");
+  EXPECT_EQ(
+      files.problems("only.json"),
+      "outer.json:7:37: /outputs/own.txt: no output is left, since optional parameters are unset: --set line=PATH\n");
   EXPECT_EQ(files.problems("only.json", {{"part.file", "b.txt"}}), "");
 }
 

@@ -13,10 +13,11 @@ class Overrides : public testing::Test {
   Overrides() { files.write("line.txt", "hello"); }
   std::string problems(const std::string& overrides) {
     return files.problems_of(R"("text": {"node": "toy.read_text", "inputs": {"file": {"file": "line.txt"}}},
-      "many": {"node": "toy.repeat", "inputs": {"text": "text"}}, "deep": {"node": "toy.repeat", "inputs": {"text": "many"}},
-"loud": {"node": "toy.upper", "inputs": {"text": "deep"}, "overrides":
-{)" + overrides + R"(}},
-      "page": {"node": "toy.write_text", "inputs": {"text": "loud"}})", "\"page.txt\": \"page\"");
+      "many": {"node": "toy.repeat", "inputs": {"text": "text"}},
+"deep": {"node": "toy.repeat", "inputs": {"text": "many"}},  "loud": {"node": "toy.upper", "inputs": {"text": "deep"},
+"overrides": {)" + overrides + R"(}},
+      "page": {"node": "toy.write_text", "inputs": {"text": "loud"}})",
+                             "\"page.txt\": \"page\"");
   }
   GraphFiles files;
 };
@@ -37,22 +38,30 @@ TEST_F(Overrides, NameElementsAndRangesUnderOneOrEveryParent) {
 }
 
 TEST_F(Overrides, OfDifferentParentsDoNotOverlap) {
-  EXPECT_EQ(problems(R"("a/1-5": {"mode": "lower"}, "b/3": {"mode": "title"}, "6": {"mode": "title"}, "name": {"mode": "lower"})"), "");
+  EXPECT_EQ(
+      problems(
+          R"("a/1-5": {"mode": "lower"}, "b/3": {"mode": "title"}, "6": {"mode": "title"}, "name": {"mode": "lower"})"),
+      "");
 }
 
 TEST_F(Overrides, OfEveryParentOverlapThoseOfOne) {
   EXPECT_EQ(problems("\"3\": {\"mode\": \"lower\"},\n\"a/1-5\": {\"mode\": \"title\"}"),
-            "graph.json:5:1: /nodes/loud/overrides/a~11-5: 'a/1-5' overlaps '3' of \"3\": which value holds would be a guess\n");
+            "graph.json:5:1: /nodes/loud/overrides/a~11-5: 'a/1-5' overlaps '3' of \"3\": which value holds would be a "
+            "guess\n");
   EXPECT_EQ(problems("\"name\": {\"mode\": \"lower\"},\n\"a/name\": {\"mode\": \"title\"}"),
-            "graph.json:5:1: /nodes/loud/overrides/a~1name: 'a/name' overlaps 'name' of \"name\": which value holds would be a guess\n");
+            "graph.json:5:1: /nodes/loud/overrides/a~1name: 'a/name' overlaps 'name' of \"name\": which value holds "
+            "would be a guess\n");
 }
 
 TEST_F(Overrides, ThatOverlapEverywhereAreToldOnce) {
-  EXPECT_EQ(problems("\"1-9\": {\"mode\": \"lower\"}, \"a/10\": {\"mode\": \"title\"}, \"b/11\": {\"mode\": \"title\"},\n\"5,7\": {\"mode\": \"title\"}"),
-            "graph.json:5:1: /nodes/loud/overrides/5,7: '5' overlaps '1-9' of \"1-9\": which value holds would be a guess\n"
-            "graph.json:5:1: /nodes/loud/overrides/5,7: '7' overlaps '1-9' of \"1-9\": which value holds would be a guess\n");
+  EXPECT_EQ(
+      problems("\"1-9\": {\"mode\": \"lower\"}, \"a/10\": {\"mode\": \"title\"}, \"b/11\": {\"mode\": "
+               "\"title\"},\n\"5,7\": {\"mode\": \"title\"}"),
+      "graph.json:5:1: /nodes/loud/overrides/5,7: '5' overlaps '1-9' of \"1-9\": which value holds would be a guess\n"
+      "graph.json:5:1: /nodes/loud/overrides/5,7: '7' overlaps '1-9' of \"1-9\": which value holds would be a guess\n");
   EXPECT_EQ(problems("\"1-9,5\": {\"mode\": \"lower\"}"),
-            "graph.json:4:2: /nodes/loud/overrides/1-9,5: '5' overlaps '1-9' of the same key: which value holds would be a guess\n");
+            "graph.json:4:15: /nodes/loud/overrides/1-9,5: '5' overlaps '1-9' of the same key: which value holds would "
+            "be a guess\n");
 }
 
 TEST_F(Overrides, CompareLongIdsByValue) {
@@ -60,10 +69,13 @@ TEST_F(Overrides, CompareLongIdsByValue) {
 }
 
 TEST_F(Overrides, AreChecked) {
-  EXPECT_EQ(problems(R"("": {"mode": "lower"})"), "graph.json:4:2: /nodes/loud/overrides/: '' is no element id or range (ids are made of "
-                                                  "letters, digits, '_', '-' and '.', and 3-5 is a range)\n");
-  EXPECT_EQ(problems(R"("a/b/1": {"mode": "lower"})"), "graph.json:4:2: /nodes/loud/overrides/a~1b~11: 'a/b/1' has 3 levels, but 'loud' is mapped over 2\n");
-  EXPECT_EQ(problems(R"("1": {})"), "graph.json:4:7: /nodes/loud/overrides/1: found an empty object, expected an object of parameters\n");
+  EXPECT_EQ(problems(R"("": {"mode": "lower"})"),
+            "graph.json:4:15: /nodes/loud/overrides/: '' is no element id or range (ids are made of "
+            "letters, digits, '_', '-' and '.', and 3-5 is a range)\n");
+  EXPECT_EQ(problems(R"("a/b/1": {"mode": "lower"})"),
+            "graph.json:4:15: /nodes/loud/overrides/a~1b~11: 'a/b/1' has 3 levels, but 'loud' is mapped over 2\n");
+  EXPECT_EQ(problems(R"("1": {})"),
+            "graph.json:4:20: /nodes/loud/overrides/1: found an empty object, expected an object of parameters\n");
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ using engine::SourceFile;
 std::string listed(const JsonValue& value) {
   std::string text = value.pointer + "@" + std::to_string(value.line) + ":" + std::to_string(value.column) + " ";
   for (const JsonValue& item : value.items) text += listed(item);
-  for (const JsonMember& member : value.members) text += std::to_string(member.line) + ":" + std::to_string(member.column) + "=" + listed(member.value);
+  for (const JsonMember& member : value.members)
+    text += std::to_string(member.line) + ":" + std::to_string(member.column) + "=" + listed(member.value);
   return text;
 }
 
@@ -33,7 +34,8 @@ TEST(JsonPositions, AreThoseOfTheFirstCharacter) {
 }
 
 TEST(JsonPositions, SkipCommentsWithQuotesAndBrackets) {
-  EXPECT_EQ(positions("// \"a\": {\n/* [ \"*/ {/*x*/\"a\"/*:*/:/* 1 */2/*,*/,//}\n\"b\":3}"), "@2:10 2:16=/a@2:32 3:1=/b@3:5 ");
+  EXPECT_EQ(positions("// \"a\": {\n/* [ \"*/ {/*x*/\"a\"/*:*/:/* 1 */2/*,*/,//}\n\"b\":3}"),
+            "@2:10 2:16=/a@2:32 3:1=/b@3:5 ");
 }
 
 TEST(JsonPositions, FollowNumbersAtOnce) { EXPECT_EQ(positions("[1,22,[3]]"), "@1:1 /0@1:2 /1@1:4 /2@1:7 /2/0@1:8 "); }
@@ -54,7 +56,8 @@ TEST(JsonPositions, OfDuplicatesAreThoseOfTheSecond) {
 }
 
 TEST(JsonPositions, OfSyntaxErrorsAreThoseOfTheTokenThatDoesNotFit) {
-  EXPECT_EQ(positions("{\n  \"a\": 1 /* here */ 2}"), "x.json:2:21: not valid JSON: unexpected number literal; expected '}' or a comma\n");
+  EXPECT_EQ(positions("{\n  \"a\": 1 /* here */ 2}"),
+            "x.json:2:21: not valid JSON: unexpected number literal; expected '}' or a comma\n");
   EXPECT_EQ(positions("{\"a\": tru}"), "x.json:1:7: not valid JSON: invalid literal \"tru\"\n");
   EXPECT_EQ(positions("[1, 1e999]"), "x.json:1:5: not valid JSON: number overflow parsing '1e999'\n");
   EXPECT_EQ(positions("[1] 2"), "x.json:1:5: not valid JSON: unexpected number literal; expected end of input\n");

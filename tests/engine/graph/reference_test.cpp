@@ -35,8 +35,12 @@ TEST(ParseReference, SaysWhyATextIsNone) {
   EXPECT_EQ(parsed("a[3"), "'a[3' is no reference: ']' is missing at its end");
   EXPECT_EQ(parsed("a[3].b"), "'a[3].b' is no reference: ']' is missing at its end");
   EXPECT_EQ(parsed("/a"), "'/a' is no reference: '' is no name of a node");
-  EXPECT_EQ(parsed("a[]"), "'a[]' is no reference: '' is no element id (ids are made of letters, digits, '_', '-' and '.', and 3-5 is a range)");
-  EXPECT_EQ(parsed("a[../b]"), "'a[../b]' is no reference: '..' is no element id (ids are made of letters, digits, '_', '-' and '.', and 3-5 is a range)");
+  EXPECT_EQ(parsed("a[]"),
+            "'a[]' is no reference: '' is no element id (ids are made of letters, digits, '_', '-' and '.', and 3-5 is "
+            "a range)");
+  EXPECT_EQ(parsed("a[../b]"),
+            "'a[../b]' is no reference: '..' is no element id (ids are made of letters, digits, '_', '-' and '.', and "
+            "3-5 is a range)");
 }
 
 }  // namespace

@@ -70,30 +70,37 @@ TEST_F(Settings, TakePathsRelativeToTheWorkingDirectory) {
   ASSERT_EQ(files.problems("graph.json", {{"line", "own.txt"}}), "");
   const GraphReading reading = files.read("graph.json", {{"line", "own.txt"}});
   EXPECT_EQ(reading.graph.nodes[0].inputs[0][0].path, files.path("own.txt"));
-  EXPECT_EQ(files.problems("graph.json", {{"line", "other.txt"}}), "command line: --set line: the file other.txt does not exist\n");
+  EXPECT_EQ(files.problems("graph.json", {{"line", "other.txt"}}),
+            "command line: --set line: the file other.txt does not exist\n");
 }
 
 TEST_F(Settings, AreChecked) {
-  EXPECT_EQ(files.problems("graph.json", {{"times", "x"}}), "command line: --set times: found the string \"x\", expected an integer\n");
+  EXPECT_EQ(files.problems("graph.json", {{"times", "x"}}),
+            "command line: --set times: found the string \"x\", expected an integer\n");
   EXPECT_EQ(files.problems("graph.json", {{"times", "2000"}}),
-            "command line: --set times: found the number 2000, expected an integer from 1 to 1000 (used at /nodes/many/params/times)\n");
+            "command line: --set times: found the number 2000, expected an integer from 1 to 1000 (used at "
+            "/nodes/many/params/times)\n");
   EXPECT_EQ(files.problems("graph.json", {{"many.times", "1.5"}}),
             "command line: --set many.times: found the number 1.5, expected an integer from 1 to 1000\n");
   EXPECT_EQ(files.problems("graph.json", {{"shout.mode", "title"}}),
             "command line: --set shout.mode: found the string \"title\", expected one of \"upper\", \"lower\"\n");
   EXPECT_EQ(files.problems("graph.json", {{"more.amount", "nan"}}),
             "command line: --set more.amount: found the string \"nan\", expected a number from -1000 to 1000\n");
-  EXPECT_EQ(files.problems("graph.json", {{"line", ""}}), "command line: --set line: found the string \"\", expected a path\n");
+  EXPECT_EQ(files.problems("graph.json", {{"line", ""}}),
+            "command line: --set line: found the string \"\", expected a path\n");
 }
 
 TEST_F(Settings, OfWhatIsNotThereAreRefused) {
-  EXPECT_EQ(files.problems("graph.json", {{"tims", "3"}}), "command line: --set tims: the graph has no parameter 'tims' (did you mean 'times'?)\n");
-  EXPECT_EQ(files.problems("graph.json", {{"mani.times", "3"}}), "command line: --set mani.times: the graph has no node 'mani' (did you mean 'many'?)\n");
+  EXPECT_EQ(files.problems("graph.json", {{"tims", "3"}}),
+            "command line: --set tims: the graph has no parameter 'tims' (did you mean 'times'?)\n");
+  EXPECT_EQ(files.problems("graph.json", {{"mani.times", "3"}}),
+            "command line: --set mani.times: the graph has no node 'mani' (did you mean 'many'?)\n");
   EXPECT_EQ(files.problems("graph.json", {{"many.time", "3"}}),
             "command line: --set many.time: the node 'many' has no parameter 'time' (did you mean 'times'?)\n");
   EXPECT_EQ(files.problems("graph.json", {{"shout.moed", "upper"}}),
             "command line: --set shout.moed: the node 'shout' has no parameter 'moed'; it has 'mode'\n");
-  EXPECT_EQ(files.problems("graph.json", {{"times", "3"}, {"times", "4"}}), "command line: --set times: it is set twice\n");
+  EXPECT_EQ(files.problems("graph.json", {{"times", "3"}, {"times", "4"}}),
+            "command line: --set times: it is set twice\n");
 }
 
 }  // namespace

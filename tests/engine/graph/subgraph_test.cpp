@@ -29,7 +29,8 @@ class Subgraph : public testing::Test {
   std::string problems(const std::string& nodes, const std::string& output = "page") {
     return files.problems_of(R"("text": {"node": "toy.read_text", "inputs": {"file": {"file": "line.txt"}}},
       "many": {"node": "toy.repeat", "inputs": {"text": "text"}},
-      )" + nodes, "\"page.txt\": \"" + output + "\"");
+      )" + nodes,
+                             "\"page.txt\": \"" + output + "\"");
   }
   Graph graph() { return files.read("graph.json").graph; }
   GraphFiles files;
@@ -37,7 +38,8 @@ class Subgraph : public testing::Test {
 
 TEST_F(Subgraph, BecomesNodesWithItsNameBeforeThem) {
   ASSERT_EQ(problems(R"("a": {"graph": "shout.json", "inputs": {"words": "many"}, "params": {"mode": "lower"}},
-                        "page": {"node": "toy.write_text", "inputs": {"text": "a.text"}})"), "");
+                        "page": {"node": "toy.write_text", "inputs": {"text": "a.text"}})"),
+            "");
   const Graph read = graph();
   const auto& loud = read.nodes.at(read.find_node("a/loud"));
   EXPECT_EQ(loud.inputs[0][0].node, read.find_node("many"));
@@ -49,7 +51,8 @@ TEST_F(Subgraph, BecomesNodesWithItsNameBeforeThem) {
 TEST_F(Subgraph, IsMappedWhenItsInputIsADeeperSequence) {
   ASSERT_EQ(problems(R"("deep": {"node": "toy.repeat", "inputs": {"text": "many"}},
                         "a": {"graph": "shout.json", "inputs": {"words": "deep"}},
-                        "page": {"node": "toy.write_text", "inputs": {"text": "a.text[take1]"}})"), "");
+                        "page": {"node": "toy.write_text", "inputs": {"text": "a.text[take1]"}})"),
+            "");
   const Graph read = graph();
   EXPECT_EQ(read.nodes.at(read.find_node("a/loud")).mapped_depth, 2);
   EXPECT_EQ(read.nodes.at(read.find_node("a/joined")).mapped_depth, 1);
@@ -67,7 +70,8 @@ TEST_F(Subgraph, NestsAndJoinsElementSelections) {
   ASSERT_EQ(problems(R"("deep": {"node": "toy.repeat", "inputs": {"text": "many"}},
                         "a": {"graph": "outer.json", "inputs": {"deep": "deep"}},
                         "size": {"node": "toy.length", "inputs": {"text": "a.one"}},
-                        "page": {"node": "toy.write_text", "inputs": {"text": "a.raw"}})"), "");
+                        "page": {"node": "toy.write_text", "inputs": {"text": "a.raw"}})"),
+            "");
   const Graph read = graph();
   const auto& loud = read.nodes.at(read.find_node("a/pick/loud"));
   EXPECT_EQ(loud.inputs[0][0].element, std::vector<std::string>{"7"});
@@ -79,7 +83,8 @@ TEST_F(Subgraph, NestsAndJoinsElementSelections) {
 }
 
 TEST_F(Subgraph, TakesPathsFromTheGraphAroundIt) {
-  files.write("read.json", R"({"facegraph": 1, "params": {"file": {"type": "path"}, "times": {"type": "integer", "default": 2}},
+  files.write("read.json",
+              R"({"facegraph": 1, "params": {"file": {"type": "path"}, "times": {"type": "integer", "default": 2}},
     "nodes": {"text": {"node": "toy.read_text", "inputs": {"file": "${file}"}},
               "many": {"node": "toy.repeat", "inputs": {"text": "text"}, "params": {"times": "${times}"}}},
     "outputs": {"text": "text", "many": "many"}})");
@@ -90,8 +95,9 @@ TEST_F(Subgraph, TakesPathsFromTheGraphAroundIt) {
               "both": {"node": "seq.merge", "inputs": {"sequences": ["a.many", "b.many"]}},
               "page": {"node": "toy.write_text", "inputs": {"text": "both"}}},
     "outputs": {"page.txt": "page"}})");
-  EXPECT_EQ(files.problems("deep/graph.json"), "deep/graph.json:2:52: /params/line/default: the file deep/own.txt does not exist\n"
-                                               "deep/graph.json:4:65: /nodes/b/params/file: the file deep/b.txt does not exist\n");
+  EXPECT_EQ(files.problems("deep/graph.json"),
+            "deep/graph.json:2:52: /params/line/default: the file deep/own.txt does not exist\n"
+            "deep/graph.json:4:65: /nodes/b/params/file: the file deep/b.txt does not exist\n");
   const Graph read = files.read("deep/graph.json").graph;
   EXPECT_EQ(read.nodes.at(read.find_node("a/many")).params[0], ParamValue(std::int64_t{9}));
   EXPECT_EQ(read.nodes.at(read.find_node("b/many")).params[0], ParamValue(std::int64_t{2}));
@@ -111,7 +117,8 @@ TEST_F(Subgraph, TellsWhatItsParametersLack) {
 TEST_F(Subgraph, ThatReturnsItsOwnInputIsNoRing) {
   files.write("same.json", R"({"facegraph": 1, "inputs": {"x": "text"}, "nodes": {}, "outputs": {"x": "@x"}})");
   EXPECT_EQ(problems(R"("a": {"graph": "same.json", "inputs": {"x": "text"}},
-                        "page": {"node": "toy.write_text", "inputs": {"text": "a.x"}})"), "");
+                        "page": {"node": "toy.write_text", "inputs": {"text": "a.x"}})"),
+            "");
   EXPECT_EQ(problems(R"("a": {"graph": "same.json", "inputs": {"x": "a.x"}},
 "page": {"node": "toy.write_text", "inputs": {"text": "a.x"}})"),
             "graph.json:3:51: /nodes/a/inputs/x: the reference leads back to itself\n");
@@ -121,7 +128,8 @@ TEST_F(Subgraph, InARingWithTheGraphAroundItIsRefused) {
   EXPECT_EQ(problems(R"("a": {"graph": "shout.json", "inputs": {"words": "b"}},
 "b": {"node": "toy.repeat", "inputs": {"text": "a.text"}},
 "page": {"node": "toy.write_text", "inputs": {"text": "text"}})"),
-            "shout.json:5:54: /nodes/loud/inputs/text: the nodes need each other in a ring: a/loud needs b needs a/joined needs a/loud\n");
+            "shout.json:5:54: /nodes/loud/inputs/text: the nodes need each other in a ring: a/loud needs b needs "
+            "a/joined needs a/loud\n");
 }
 
 TEST_F(Subgraph, WithAMistakeIsToldOnce) {
@@ -137,10 +145,12 @@ TEST_F(Subgraph, MayHoldFileOutputsThatOnlyItsOwnRunWrites) {
               "page": {"node": "toy.write_text", "inputs": {"text": "text"}}},
     "outputs": {"page.txt": "page", "text": "text"}})");
   EXPECT_EQ(problems(R"("a": {"graph": "both.json", "params": {"file": "line.txt"}},
-                        "page": {"node": "toy.write_text", "inputs": {"text": "a"}})"), "");
+                        "page": {"node": "toy.write_text", "inputs": {"text": "a"}})"),
+            "");
   EXPECT_EQ(files.problems("both.json", {{"file", "line.txt"}}),
             "both.json:4:37: /outputs/text: \"text\" is no name of an output: it has no suffix, such as \"text.txt\"\n"
-            "both.json:4:45: /outputs/text: the output \"text\" is of type 'text', expected 'file': let a node export it first\n");
+            "both.json:4:45: /outputs/text: the output \"text\" is of type 'text', expected 'file': let a node export "
+            "it first\n");
 }
 
 }  // namespace

@@ -13,14 +13,16 @@ class Validation : public testing::Test {
  protected:
   Validation() {
     files.write("line.txt", "hello");
-    files.catalogue.add(test::toy_node("toy.is_long", {test::toy_input("text", "text")}, {}, {test::toy_output("long", "flag")}));
+    files.catalogue.add(
+        test::toy_node("toy.is_long", {test::toy_input("text", "text")}, {}, {test::toy_output("long", "flag")}));
   }
   // The given nodes after a text, a sequence of texts and a sequence of sequences; the nodes start in line 4.
   std::string problems(const std::string& nodes) {
     return files.problems_of(R"("text": {"node": "toy.read_text", "inputs": {"file": {"file": "line.txt"}}},
 "many": {"node": "toy.repeat", "inputs": {"text": "text"}}, "deep": {"node": "toy.repeat", "inputs": {"text": "many"}},
 "page": {"node": "toy.write_text", "inputs": {"text": "text"}},
-)" + nodes, "\"page.txt\": \"page\"");
+)" + nodes,
+                             "\"page.txt\": \"page\"");
   }
   engine::GraphNode node(const std::string& id) {
     const Graph graph = files.read("graph.json").graph;
@@ -36,7 +38,8 @@ TEST_F(Validation, EnginesOwnNodesTakeTheTypeOfTheirInput) {
     "ids": {"node": "seq.ids", "inputs": {"sequence": "flat"}},
     "both": {"node": "seq.merge", "inputs": {"sequences": ["flat", "half[1]"]}},
     "best": {"node": "first", "inputs": {"alternatives": ["sizes", "half"]}},
-    "one": {"node": "first", "inputs": {"alternatives": "sizes"}})"), "");
+    "one": {"node": "first", "inputs": {"alternatives": "sizes"}})"),
+            "");
   EXPECT_EQ(node("half").output_type[0], "number");
   EXPECT_EQ(node("half").mapped_depth, 1);
   EXPECT_EQ(node("half").output_depth[0], 2);
@@ -53,25 +56,33 @@ TEST_F(Validation, AlternativesAgreeInTypeAndDepth) {
   EXPECT_EQ(problems(R"("sizes": {"node": "toy.length", "inputs": {"text": "many"}},
 "best": {"node": "first", "inputs": {"alternatives": ["many", "sizes",
 "deep"]}})"),
-            "graph.json:5:63: /nodes/best/inputs/alternatives/1: the input 'alternatives' of 'first' takes alternatives of one type: found 'number' after 'text'\n"
-            "graph.json:6:1: /nodes/best/inputs/alternatives/2: the input 'alternatives' of 'first' takes alternatives of one depth: found a sequence of depth 2 after a sequence\n");
+            "graph.json:5:63: /nodes/best/inputs/alternatives/1: the input 'alternatives' of 'first' takes "
+            "alternatives of one type: found 'number' after 'text'\n"
+            "graph.json:6:1: /nodes/best/inputs/alternatives/2: the input 'alternatives' of 'first' takes alternatives "
+            "of one depth: found a sequence of depth 2 after a sequence\n");
 }
 
 TEST_F(Validation, FlagsAreThoseOfTheirOwnSequence) {
   EXPECT_EQ(problems(R"("long": {"node": "toy.is_long", "inputs": {"text": "deep"}},
-    "kept": {"node": "seq.where", "inputs": {"sequence": "deep", "flags": "long"}})"), "");
+    "kept": {"node": "seq.where", "inputs": {"sequence": "deep", "flags": "long"}})"),
+            "");
   EXPECT_EQ(node("kept").mapped_depth, 1);
   EXPECT_EQ(problems(R"("long": {"node": "toy.is_long", "inputs": {"text": "many"}},
 "kept": {"node": "seq.where", "inputs": {"sequence": "deep", "flags": "long"}})"),
-            "graph.json:5:71: /nodes/kept/inputs/flags: the input 'flags' of 'seq.where' takes one flag for every element of the sequence: "
+            "graph.json:5:71: /nodes/kept/inputs/flags: the input 'flags' of 'seq.where' takes one flag for every "
+            "element of the sequence: "
             "found a sequence for a sequence of depth 2\n");
 }
 
 TEST_F(Validation, MapsOverTheDeepestInputAndBroadcastsTheOthers) {
-  ASSERT_EQ(problems(R"("sizes": {"node": "toy.length", "inputs": {"text": "deep"}}, "size": {"node": "toy.length", "inputs": {"text": "text"}},
+  ASSERT_EQ(
+      problems(
+          R"("sizes": {"node": "toy.length", "inputs": {"text": "deep"}},
+    "size": {"node": "toy.length", "inputs": {"text": "text"}},
     "sum": {"node": "toy.add", "inputs": {"a": "size", "b": "sizes"}},
     "total": {"node": "toy.running_sum", "inputs": {"value": "sum"}},
-    "mean": {"node": "toy.window_mean", "inputs": {"values": "total[3]"}})"), "");
+    "mean": {"node": "toy.window_mean", "inputs": {"values": "total[3]"}})"),
+      "");
   EXPECT_EQ(node("sum").mapped_depth, 2);
   EXPECT_EQ(node("sum").input_depth, (std::vector<int>{0, 2}));
   EXPECT_EQ(node("total").output_depth[0], 2);
@@ -115,16 +126,16 @@ TEST_F(Validation, PutsProducersBeforeConsumersInLongChains) {
   ASSERT_EQ(graph.nodes.size(), static_cast<std::size_t>(count) + 4);
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
     for (const auto& sources : graph.nodes[i].inputs)
-      for (const auto& source : sources)
-        EXPECT_LT(source.node, static_cast<int>(i));  // -1 of a file
+      for (const auto& source : sources) EXPECT_LT(source.node, static_cast<int>(i));  // -1 of a file
 }
 
 TEST_F(Validation, RefusesGraphsThatMultiply) {
   files.write("g0.json", R"({"facegraph": 1, "inputs": {"x": "text"}, "nodes": {}, "outputs": {"x": "@x"}})");
   for (int i = 1; i <= 30; ++i) {
     const std::string inner = "{\"graph\": \"g" + std::to_string(i - 1) + ".json\", \"inputs\": {\"x\": ";
-    files.write("g" + std::to_string(i) + ".json", "{\"facegraph\": 1, \"inputs\": {\"x\": \"text\"}, \"nodes\": {\"a\": " + inner + "\"@x\"}}, \"b\": " +
-                                                       inner + "\"a\"}}}, \"outputs\": {\"x\": \"b\"}}");
+    files.write("g" + std::to_string(i) + ".json",
+                "{\"facegraph\": 1, \"inputs\": {\"x\": \"text\"}, \"nodes\": {\"a\": " + inner +
+                    "\"@x\"}}, \"b\": " + inner + "\"a\"}}}, \"outputs\": {\"x\": \"b\"}}");
   }
   const std::string found = problems(R"("bomb": {"graph": "g30.json", "inputs": {"x": "text"}})");
   EXPECT_NE(found.find("the graph has more than 100000 nodes\n"), std::string::npos) << found.substr(0, 300);
@@ -140,9 +151,11 @@ TEST_F(Validation, SaysWhatIsNoGraphFile) {
 }
 
 TEST_F(Validation, RefusesOutputNamesThatLeaveTheFolderOrConfuseDisks) {
-  for (const char* const name : {"../a.txt", "a/b.txt", "a\\\\b.txt", "a", ".txt", "a.", "..a.txt", "-a.txt", "a:b.txt", "", "a.txt "}) {
+  for (const char* const name :
+       {"../a.txt", "a/b.txt", "a\\\\b.txt", "a", ".txt", "a.", "..a.txt", "-a.txt", "a:b.txt", "", "a.txt "}) {
     const std::string found = files.problems_of(R"("page": {"node": "toy.write_text", "inputs": {"text": "text"}},
-      "text": {"node": "toy.read_text", "inputs": {"file": {"file": "line.txt"}}})", "\"" + std::string(name) + "\": \"page\"");
+      "text": {"node": "toy.read_text", "inputs": {"file": {"file": "line.txt"}}})",
+                                                "\"" + std::string(name) + "\": \"page\"");
     EXPECT_NE(found.find("is no name of an output: "), std::string::npos) << name << " was taken: " << found;
   }
 }
