@@ -38,11 +38,23 @@ float front_area(const std::vector<Vec3f>& outline) {
   return 0.5f * std::abs(twice);
 }
 
+// Lips have depth: a narrow slit between them lets little light through.
+float through_lips(float area_mm2, float width_mm) {
+  constexpr float depth_mm = 4;
+  const float height_mm = area_mm2 / std::max(width_mm, 1.0f);
+  return area_mm2 * height_mm / (height_mm + depth_mm);
+}
+
 Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f& front_of_mouth) {
   std::vector<Vec3f> outline;
   if (rig.landmarks68.size() == 68) {
     for (std::size_t i = 60; i < 68; ++i) outline.push_back(points[rig.landmarks68[i]]);
-    return {mean_of(outline), front_area(outline)};
+    float low = 1e9f, high = -1e9f;
+    for (const Vec3f& p : outline) {
+      low = std::min(low, p[0]);
+      high = std::max(high, p[0]);
+    }
+    return {mean_of(outline), through_lips(front_area(outline), high - low)};
   }
   if (!rig.inner_lips.empty()) {
     float low = 1e9f, high = -1e9f, height = 0;
@@ -53,7 +65,8 @@ Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f
       high = std::max(high, points[pair.upper][0]);
       height += std::max(0.0f, points[pair.upper][1] - points[pair.lower][1]) / static_cast<float>(rig.inner_lips.size());
     }
-    return {mean_of(outline), height * std::max(high - low, 30.0f)};  // the pairs are about the middle only
+    const float width = std::max(high - low, 30.0f);  // the pairs are about the middle only
+    return {mean_of(outline), through_lips(height * width, width)};
   }
   return {front_of_mouth, 35.0f * 20.0f};
 }
@@ -61,8 +74,8 @@ Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f
 }  // namespace
 
 std::vector<float> mouth_exposure(const Rig& rig, const std::vector<Vec3f>& points_mm) {
-  constexpr float gain = 1.5f;      // the eye expects to see the teeth; walls of a mouth pass light on
-  constexpr float darkest = 0.012f;
+  constexpr float gain = 1.7f;      // the eye expects to see the teeth; walls of a mouth pass light on
+  constexpr float darkest = 0.03f;
   std::vector<float> exposure(points_mm.size(), 1.0f);
   std::vector<bool> inside(points_mm.size(), false);
   bool any = false;
@@ -86,7 +99,7 @@ std::vector<float> mouth_exposure(const Rig& rig, const std::vector<Vec3f>& poin
     const float dx = p[0] - opening.centre_mm[0], dy = p[1] - opening.centre_mm[1];
     // Beside the opening counts half: the lips are no tube, light comes from the sides as well.
     const float dz = p[2] - opening.centre_mm[2];
-    const float squared = 0.35f * (dx * dx + dy * dy) + dz * dz;
+    const float squared = 0.25f * (dx * dx + dy * dy) + dz * dz;
     const float share = opening.area_mm2 / (opening.area_mm2 + std::numbers::pi_v<float> * squared);
     exposure[v] = std::clamp(gain * share, darkest, 0.999f);  // never 1, which says "outside"
   }

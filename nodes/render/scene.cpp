@@ -128,7 +128,8 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
     const float in_front = seen(at.x_px, at.y_px);
     const float behind_mm = in_front > 0 ? at.depth_mm - 1.0f / in_front : 0.0f;
     if (behind_mm > hidden_mm) {
-      if (behind_mm < crevice_mm) scene.exposure[v] = std::max(darkest, 1.0f - behind_mm / 14.0f);
+      const float depth = std::min(1.0f, behind_mm / crevice_mm);
+      scene.exposure[v] = 1.0f - 2.2f * depth * (1.0f - depth);  // no jump where a vertex goes out of sight or out of reach
       continue;
     }
     if (normal[2] < -0.2f) continue;
@@ -173,7 +174,10 @@ void light_scene(Scene& scene) {
     const float exposure = scene.exposure[v];
     VertexLook& look = scene.looks[v];
     using Four = VertexLook::Four;
-    look.light = Four{light[0] * tint[0], light[1] * tint[1], light[2] * tint[2], 1} * exposure;
+    // What little light there is in a crevice or in the mouth has been on skin before: it is warm.
+    const float shadow = 1.0f - exposure;
+    const Four warmth = {1.0f + 0.15f * shadow, 1.0f - 0.12f * shadow, 1.0f - 0.22f * shadow, 1.0f};
+    look.light = Four{light[0] * tint[0], light[1] * tint[1], light[2] * tint[2], 1} * exposure * warmth;
     look.normal = Four{n[0], n[1], n[2], scene.opacity[v]};
     const bool soft = material.gloss > 0 && material.gloss <= soft_gloss && dot(n, view) > 0;
     look.view_mm = Four{view[0], view[1], view[2], soft ? exposure * highlights(n, view, material.gloss)[1] : 0.0f};

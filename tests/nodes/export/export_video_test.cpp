@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -56,6 +57,7 @@ struct Found {
   int width = 0, height = 0;
   std::vector<double> times_s;    // of pictures
   std::vector<int> brightness;    // of their middle
+  std::array<int, 3> yuv = {0, 0, 0};  // of the last one's middle
   double video_s = 0, audio_s = 0;
   std::int64_t audio_samples = 0;
 };
@@ -92,6 +94,10 @@ Found read_back(const std::string& bytes) {
       found.height = frame->height;
       found.times_s.push_back(static_cast<double>(frame->best_effort_timestamp) * av_q2d(stream->time_base));
       found.brightness.push_back(frame->data[0][frame->height / 2 * frame->linesize[0] + frame->width / 2]);
+      for (std::size_t plane = 0; plane < 3; ++plane) {
+        const int shrink = plane == 0 ? 2 : 4;
+        found.yuv[plane] = frame->data[plane][frame->height / shrink * frame->linesize[plane] + frame->width / shrink];
+      }
     }
   };
   while (av_read_frame(format, packet) == 0) {
@@ -147,6 +153,22 @@ TEST(ExportVideo, CutsOrFillsUpSoundOfAnotherLengthAndSaysSo) {
     EXPECT_EQ(progress.texts[0], sound_s < 2 ? "the sound lasts 0.5 s and the pictures 2 s: it was filled up with silence"
                                              : "the sound lasts 3 s and the pictures 2 s: it was cut");
   }
+}
+
+TEST(ExportVideo, KeepsColours) {
+  // ITU-R BT.709, studio range: Y = 16 + 219 (0.2126 R + 0.7152 G + 0.0722 B), Cb = 128 + 224 (B - Y') / 1.8556,
+  // Cr = 128 + 224 (R - Y') / 1.5748.
+  Image orange = picture(0);
+  for (std::size_t i = 0; i < orange.pixels.size(); i += 3) {
+    orange.pixels[i] = 230;
+    orange.pixels[i + 1] = 120;
+    orange.pixels[i + 2] = 40;
+  }
+  const Found found = read_back(written(engine::Seq<Image>({orange}), regular(1, 25), nullptr).bytes());
+  const double r = 230 / 255.0, g = 120 / 255.0, b = 40 / 255.0, y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  EXPECT_NEAR(found.yuv[0], 16 + 219 * y, 2);
+  EXPECT_NEAR(found.yuv[1], 128 + 224 * (b - y) / 1.8556, 2);
+  EXPECT_NEAR(found.yuv[2], 128 + 224 * (r - y) / 1.5748, 2);
 }
 
 TEST(ExportVideo, KeepsIrregularTimes) {
