@@ -16,12 +16,14 @@
 namespace engine {
 namespace {
 
-Bytes read_file(const std::string& path) {
+constexpr std::streamoff kStartBytes = 16384;
+
+Bytes read_file(const std::string& path, bool start_only) {
   std::error_code folder;
   if (std::filesystem::is_directory(path, folder)) throw PluginError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) throw PluginError("cannot read " + path + ": " + std::strerror(errno));
-  const std::streamoff size = file.tellg();
+  const std::streamoff size = start_only ? std::min<std::streamoff>(file.tellg(), kStartBytes) : std::streamoff(file.tellg());
   Bytes bytes(size > 0 ? static_cast<std::size_t>(size) : 0);
   file.seekg(0);
   if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
@@ -57,7 +59,7 @@ std::string ElfFile::text(Range table, std::uint64_t at, const char* what) const
   return {start, end};
 }
 
-ElfFile::ElfFile(const std::string& path) : path_(path), bytes_(read_file(path)) {
+ElfFile::ElfFile(const std::string& path, bool start_only) : path_(path), bytes_(read_file(path, start_only)) {
   if (bytes_.size() < SELFMAG || std::memcmp(bytes_.data(), ELFMAG, SELFMAG) != 0) fail("it is not an ELF file");
   if (bytes_.size() < sizeof(Elf64_Ehdr)) fail("it is truncated: the file has " + std::to_string(bytes_.size()) + " bytes");
   const auto header = read<Elf64_Ehdr>(0, "the header");
@@ -75,8 +77,8 @@ ElfFile::ElfFile(const std::string& path) : path_(path), bytes_(read_file(path))
   sections_offset_ = header.e_shoff;
   section_count_ = header.e_shentsize == sizeof(Elf64_Shdr) ? header.e_shnum : 0;
   section_names_ = header.e_shstrndx;
-  read_dynamic();
-  read_build_id();
+  if (!start_only) read_dynamic();
+  read_build_id(start_only);
   std::fill_n(bytes_.begin() + offsetof(Elf64_Ehdr, e_shoff), sizeof header.e_shoff, std::uint8_t{0});
   std::fill_n(bytes_.begin() + offsetof(Elf64_Ehdr, e_shnum), sizeof header.e_shnum, std::uint8_t{0});
   std::fill_n(bytes_.begin() + offsetof(Elf64_Ehdr, e_shstrndx), sizeof header.e_shstrndx, std::uint8_t{0});
@@ -118,9 +120,10 @@ void ElfFile::read_dynamic() {
   if (run_path != 0) run_path_ = text(strings, run_path, "the dynamic strings");
 }
 
-void ElfFile::read_build_id() {
+void ElfFile::read_build_id(bool start_only) {
   for (const ProgramHeader& header : program_headers_) {
     if (header.type != PT_NOTE) continue;
+    if (start_only && (header.file.offset > bytes_.size() || header.file.size > bytes_.size() - header.file.offset)) continue;
     const auto notes = part(header.file, "a note");
     for (std::size_t at = 0; at + sizeof(Elf64_Nhdr) <= notes.size();) {
       Elf64_Nhdr note;

@@ -15,7 +15,9 @@ namespace engine {
 // what is wrong with it.
 class ElfFile {
  public:
-  explicit ElfFile(const std::string& path);
+  explicit ElfFile(const std::string& path) : ElfFile(path, false) {}
+  // The build-id of a library by its first pages, where the linker puts it; empty where it is not there.
+  static Bytes build_id_at_start(const std::string& path) { return ElfFile(path, true).build_id_; }
 
   struct Segment {
     std::uint64_t address = 0, size_in_memory = 0;
@@ -28,7 +30,7 @@ class ElfFile {
 
   std::vector<std::string> needed() const;    // DT_NEEDED, in order
   std::vector<std::string> run_path() const;  // DT_RUNPATH, else DT_RPATH; $ORIGIN is not replaced
-  std::span<const std::uint8_t> build_id() const { return build_id_; }  // empty where there is none
+  const Bytes& build_id() const { return build_id_; }  // empty where there is none
 
   // The bytes of a named section; empty where there is none.
   std::string section(std::string_view name) const;
@@ -42,6 +44,7 @@ class ElfFile {
     std::uint64_t address = 0, size_in_memory = 0;
     Range file;
   };
+  ElfFile(const std::string& path, bool start_only);
   [[noreturn]] void fail(const std::string& what) const;
   template <class T>
   T read(std::uint64_t offset, const char* what) const;
@@ -49,7 +52,7 @@ class ElfFile {
   std::string text(Range table, std::uint64_t at, const char* what) const;
   std::uint64_t offset_of(std::uint64_t address) const;
   void read_dynamic();
-  void read_build_id();
+  void read_build_id(bool start_only);
 
   std::string path_;
   Bytes bytes_, build_id_;

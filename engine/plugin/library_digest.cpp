@@ -64,9 +64,7 @@ class Digester {
         const Digest inner = digest(found->path);
         writer.raw(inner.bytes.data(), inner.bytes.size());
       } else {
-        const ElfFile foreign(found->path);
-        const auto id = foreign.build_id();
-        const Digest content = id.empty() ? code_digest(foreign) : digest_of(id);
+        const Digest content = foreign_digest(found->path);
         writer.raw(content.bytes.data(), content.bytes.size());
       }
     }
@@ -92,6 +90,13 @@ class Digester {
       hasher.write(std::span<const std::uint8_t>(head)).write(segment.bytes);
     }
     return hasher.finish();
+  }
+
+  static Digest foreign_digest(const std::string& path) {
+    Bytes id = ElfFile::build_id_at_start(path);
+    if (!id.empty()) return digest_of(std::span<const std::uint8_t>(id));
+    const ElfFile whole(path);
+    return whole.build_id().empty() ? code_digest(whole) : digest_of(std::span<const std::uint8_t>(whole.build_id()));
   }
 
   // In the loader's order; our own folders come last, for libraries that were linked without a run path.
