@@ -45,7 +45,7 @@ Vector3 lid_point(int ring, int column) {
   if (side < 0) y -= kLowerHeight * open * (1 + 0.12 * s);
   const double angle = std::acos(std::clamp(s, -1.0, 1.0));
   const double away = side > 0 ? lid.upper_mm : side < 0 ? lid.lower_mm : 0.5 * (lid.upper_mm + lid.lower_mm);
-  x += away * std::cos(angle) * 0.8;
+  x += away * std::cos(angle) * 0.5;
   y += away * side * std::sin(angle);
   const double r = kEyeRadius + lid.clearance_mm, flat2 = r * r - x * x - y * y;
   const double ball = flat2 > 0 ? std::sqrt(flat2) : 0;
@@ -53,7 +53,9 @@ Vector3 lid_point(int ring, int column) {
   const double gap = ball - corner;  // the larger of the two, rounded over 2 mm
   const double z = 0.5 * (ball + corner + std::sqrt(gap * gap + 1.0));
   const Vector3 on_ball = kEyeCentre + Vector3{x, y, z};
-  return lerp(on_ball, skin_point(to_chart(on_ball)), lid.of_face);
+  // The fold of the lid runs out towards the corners, where the skin joins the face sooner.
+  const double of_face = ring < 1 ? lid.of_face : lerp(lid.of_face, 0.25 * ring + 0.1, std::pow(std::abs(s), 6));
+  return lerp(on_ball, skin_point(to_chart(on_ball)), of_face);
 }
 
 }  // namespace face::phantom

@@ -10,7 +10,7 @@ Attached add_lashes(HeadBuilder& head, const Skin& skin) {
   lashes.range.first = head.vertex_count();
   const auto polygons = static_cast<std::uint32_t>(head.polygon_starts.size() - 1);
   head.begin_part("lashes", {0.13, 0.09, 0.08}, 0.1);
-  constexpr int kFirst = 0, kLast = 23;
+  constexpr int kFirst = 0, kLast = 24;
   for (int c = kFirst; c <= kLast; ++c) {
     const double s = lid_position(c), full = std::sqrt(std::max(0.0, 1 - square((s - 0.25) / 1.28)));
     const Vector3 edge = lid_point(-1, c), front = lid_point(0, c);

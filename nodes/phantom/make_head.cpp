@@ -85,8 +85,8 @@ std::vector<std::uint32_t> find_landmarks(const Head& head) {
   add_with_mirror(kBrow, false);
   for (const ChartPoint& at : kNoseRidge) marks.push_back(nearest_vertex(head, at));
   add_with_mirror(kNoseFoot, true);
-  for (const int column : {0, 8, 17, 25, 33, 42}) marks.push_back(head.skin.right_eye(-1, column));
-  for (const int column : {25, 17, 8, 0, 42, 33}) marks.push_back(head.skin.left_eye(-1, column));
+  for (const int column : {0, 9, 17, 26, 35, 43}) marks.push_back(head.skin.right_eye(-1, column));
+  for (const int column : {26, 17, 9, 0, 43, 35}) marks.push_back(head.skin.left_eye(-1, column));
   for (const int column : {36, 29, 22, 18, 14, 7, 0, 65, 59, 54, 49, 43}) marks.push_back(head.skin.mouth(0, column));
   for (const int column : {36, 25, 18, 11, 0, 61, 54, 47}) marks.push_back(head.skin.mouth(kLipContactRing, column));
   return marks;

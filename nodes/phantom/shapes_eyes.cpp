@@ -110,7 +110,7 @@ Offsets eye_shape(const Head& head, std::string_view name) {
   } else if (name == "eyeSquintLeft") {
     move_lids(head, {0.22, 1.25}, offsets);
     push(head, {22, 9}, 11, 5, {0, 2.2, 0.8}, offsets);
-    push(head, {37, 19}, 5, 7, {-0.8, 0, 0}, offsets);
+    push(head, {38, 19}, 6, 7, {-0.4, 0, 0}, offsets);
   } else if (name == "eyeWideLeft") {
     move_lids(head, {-0.26, -0.5}, offsets);
     push(head, {21, 30}, 12, 5, {0, 1.2, 0}, offsets);

@@ -30,8 +30,8 @@ struct Block {
 constexpr int kMouthRow = kNeckRows + 11;                        // elevation -20.9
 constexpr int kEyeRow = kNeckRows + kMouthRows + kNoseRows + 5;  // elevation 19
 constexpr Block kMouthBlock = {-13, 13, kMouthRow - 5, kMouthRow + 5};
-constexpr Block kLeftEyeBlock = {4, 19, kEyeRow - 5, kEyeRow + 5};
-constexpr Block kRightEyeBlock = {-19, -4, kEyeRow - 5, kEyeRow + 5};
+constexpr Block kLeftEyeBlock = {4, 20, kEyeRow - 5, kEyeRow + 5};
+constexpr Block kRightEyeBlock = {-20, -4, kEyeRow - 5, kEyeRow + 5};
 
 double column_azimuth(int column) {
   const int c = std::abs(column);

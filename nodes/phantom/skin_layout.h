@@ -16,10 +16,10 @@ inline constexpr int kMouthOuterRing = 7;
 inline constexpr int kLipContactRing = -4;
 inline constexpr int kMouthDeepestRing = -11;
 
-// Loops around the left eye: column 0 is the outer corner, then along the upper lid to the inner corner (25) and back
+// Loops around the left eye: column 0 is the outer corner, then along the upper lid to the inner corner (26) and back
 // along the lower lid. Ring 0 is the front edge of the lid, ring -1 its edge on the eyeball, ring -2 is tucked in
 // behind.
-inline constexpr int kEyeColumns = 50;
+inline constexpr int kEyeColumns = 52;
 inline constexpr int kEyeOuterRing = 7;
 inline constexpr int kEyeDeepestRing = -2;
 

@@ -250,6 +250,35 @@ TEST(HeadIntersections, AreAbsentInTheMouthsOfSpeech) {
   expect_clean("AA", {{"jawOpen", 0.6f}, {"mouthLowerDownLeft", 0.3f}, {"mouthLowerDownRight", 0.3f}});
 }
 
+// Quads of the face whose two triangles face away from each other.
+std::size_t folded_quads(const Points& points) {
+  const face::Mesh& mesh = head().neutral;
+  const auto normal = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto at = [&](std::uint32_t k) {
+      const Vec3f& p = points[mesh.corners[k]];
+      return Vector3{p[0], p[1], p[2]};
+    };
+    return unit(cross(at(b) - at(a), at(c) - at(a)));
+  };
+  std::size_t count = 0;
+  for (const face::Part& part : mesh.parts) {
+    if (part.name != "face") continue;
+    for (std::uint32_t f = part.first_polygon; f < part.first_polygon + part.polygon_count; ++f) {
+      const std::uint32_t a = mesh.polygon_starts[f];
+      if (mesh.polygon_starts[f + 1] - a != 4) continue;
+      count += dot(normal(a, a + 1, a + 2), normal(a, a + 2, a + 3)) < -0.2 ||
+               dot(normal(a, a + 1, a + 3), normal(a + 1, a + 2, a + 3)) < -0.2;
+    }
+  }
+  return count;
+}
+
+TEST(HeadIntersections, DoNotComeFromFoldedSkin) {
+  EXPECT_EQ(folded_quads(head().neutral.points_mm), 0u);
+  // In the corners of eyes and mouth a few small quads fold, as skin does.
+  for (const std::string_view name : face::arkit_names) EXPECT_LE(folded_quads(posed({{name, 1.0f}})), 6u) << name;
+}
+
 TEST(HeadIntersections, AreAbsentOnTheWayToABlink) {
   // Lids move on straight lines past a round eye; their edge may lose half of its clearance, but never dip into the
   // eye.
