@@ -103,6 +103,12 @@ LipTeeth::LipTeeth(const Rig& rig) {
     tooth_of[checked(vertex, "upper teeth")] = static_cast<std::uint32_t>(teeth_mm_.size());
     teeth_mm_.push_back(mesh.points_mm[vertex]);
   }
+  if (!teeth_mm_.empty()) teeth_low_mm_ = teeth_high_mm_ = teeth_mm_.front();
+  for (const Vec3f& tooth : teeth_mm_)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      teeth_low_mm_[axis] = std::min(teeth_low_mm_[axis], tooth[axis]);
+      teeth_high_mm_[axis] = std::max(teeth_high_mm_[axis], tooth[axis]);
+    }
   teeth_normals_.assign(teeth_mm_.size(), {0, 0, 0});
   vertex_triangles_.resize(teeth_mm_.size());
   for (std::size_t polygon = 0; polygon < mesh.polygon_count(); ++polygon) {
@@ -179,7 +185,7 @@ LipTeethContact LipTeeth::contact_of(std::size_t lip, const Vec3f& point_mm) con
   return contact;
 }
 
-std::vector<LipTeethContact> LipTeeth::contacts(const std::vector<float>& weights) const {
+std::vector<Vec3f> LipTeeth::posed_lip(const std::vector<float>& weights) const {
   check(usable(), "the rig names no lower lip or no upper teeth, so their distance cannot be measured");
   check(weights.size() <= shape_offsets_.size(), "there are ", weights.size(), " weights, but the rig has ",
         shape_offsets_.size(), " shapes");
@@ -188,9 +194,26 @@ std::vector<LipTeethContact> LipTeeth::contacts(const std::vector<float>& weight
     if (weights[s] != 0)
       for (const Offset& offset : shape_offsets_[s])
         points[offset.lip] = along(points[offset.lip], offset.offset_mm, weights[s]);
+  return points;
+}
+
+std::vector<LipTeethContact> LipTeeth::contacts(const std::vector<float>& weights) const {
+  const std::vector<Vec3f> points = posed_lip(weights);
   std::vector<LipTeethContact> contacts;
   for (std::size_t i = 0; i < points.size(); ++i) contacts.push_back(contact_of(i, points[i]));
   return contacts;
+}
+
+double LipTeeth::depth_mm(const std::vector<float>& weights) const {
+  const std::vector<Vec3f> points = posed_lip(weights);
+  double depth_mm = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool in_box = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      in_box = in_box && points[i][axis] > teeth_low_mm_[axis] && points[i][axis] < teeth_high_mm_[axis];
+    if (in_box) depth_mm = std::max(depth_mm, -contact_of(i, points[i]).distance_mm);
+  }
+  return depth_mm;
 }
 
 LipTeethContact LipTeeth::nearest(const std::vector<float>& weights) const {

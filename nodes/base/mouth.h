@@ -48,6 +48,8 @@ class LipTeeth {
   std::vector<LipTeethContact> contacts(const std::vector<float>& weights) const;
   // The one with the smallest signed distance.
   LipTeethContact nearest(const std::vector<float>& weights) const;
+  // How deep the lower lip is inside the teeth, >= 0: what nearest() finds where that is negative, but much faster.
+  double depth_mm(const std::vector<float>& weights) const;
   // d distance / d weight_s of a contact, mm. shapes.
   std::vector<double> row(const LipTeethContact& contact) const;
 
@@ -56,11 +58,13 @@ class LipTeeth {
     std::uint32_t lip;
     Vec3f offset_mm;
   };
+  std::vector<Vec3f> posed_lip(const std::vector<float>& weights) const;
   LipTeethContact contact_of(std::size_t lip, const Vec3f& point_mm) const;
 
   std::vector<Vec3f> lip_neutral_mm_;
   std::vector<std::vector<Offset>> shape_offsets_;  // per shape, of the lip's vertices it moves
   std::vector<Vec3f> teeth_mm_;
+  Vec3f teeth_low_mm_ = {0, 0, 0}, teeth_high_mm_ = {0, 0, 0};  // their bounding box
   std::vector<Vec3f> teeth_normals_;
   std::vector<bool> on_border_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;

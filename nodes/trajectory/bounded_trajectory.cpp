@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nodes/base/check.h"
 
@@ -56,18 +57,22 @@ class BandMatrix {
   std::vector<double> values_;
 };
 
-// One side of a bound as sign * (row . x) <= limit; the box is a row with a single 1 (row = null).
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// One side of a bound as sign * value(x) <= limit + excess, where the excess costs its price; a hard bound has none.
 struct Side {
-  std::size_t first = 0;  // index of the value (box) or of the frame's first value (row)
+  enum class Kind { box, step, row } kind = Kind::box;
+  std::size_t first = 0;        // box: index of the value. step: of the later value. row: of the frame's first value
   const double* row = nullptr;
   double sign = 1;
   double limit = 0;
+  double price = infinity;
 };
 
 class InteriorPoint {
  public:
   InteriorPoint(const TrajectoryTargets& targets, double smoothness, const std::vector<FrameBound>& bounds,
-                const TrajectoryEnds& ends)
+                const TrajectoryEnds& ends, const StepBound& steps)
       : dims_(targets.dims), count_(targets.frames * targets.dims), smoothness_(smoothness), matrix_(count_, dims_) {
     diagonal_.resize(count_);
     pull_.resize(count_);
@@ -79,52 +84,55 @@ class InteriorPoint {
       if (i + dims_ >= count_ && !ends.after.empty()) pull_[i] += smoothness * ends.after[i + dims_ - count_];
     }
     for (std::size_t i = 0; i < count_; ++i) {
-      sides_.push_back({i, nullptr, -1, 0});
-      sides_.push_back({i, nullptr, 1, 1});
+      sides_.push_back({Side::Kind::box, i, nullptr, -1, 0, infinity});
+      sides_.push_back({Side::Kind::box, i, nullptr, 1, 1, infinity});
+      if (i < dims_ || !std::isfinite(steps.largest)) continue;
+      for (const double sign : {-1.0, 1.0})
+        sides_.push_back({Side::Kind::step, i, nullptr, sign, steps.largest, steps.price});
     }
     for (const FrameBound& bound : bounds) {
-      if (std::isfinite(bound.low)) sides_.push_back({bound.frame * dims_, bound.row.data(), -1, -bound.low});
-      if (std::isfinite(bound.high)) sides_.push_back({bound.frame * dims_, bound.row.data(), 1, bound.high});
+      const std::size_t first = bound.frame * dims_;
+      if (std::isfinite(bound.low))
+        sides_.push_back({Side::Kind::row, first, bound.row.data(), -1, -bound.low, bound.price});
+      if (std::isfinite(bound.high))
+        sides_.push_back({Side::Kind::row, first, bound.row.data(), 1, bound.high, bound.price});
     }
   }
 
   BoundedTrajectory solve() {
-    constexpr int max_iterations = 60;
-    // Values are weights in [0, 1] and bounds are in mm: 1e-9 is far below what the result is rounded to.
+    constexpr int max_iterations = 80;
+    // Far below what the weights are rounded to, so that rounding does not tell two runs of one problem apart.
     constexpr double tolerance = 1e-13;
     BoundedTrajectory result;
-    x_.assign(count_, 0.5);
-    slack_.resize(sides_.size());
-    dual_.assign(sides_.size(), 1.0);
-    for (std::size_t i = 0; i < sides_.size(); ++i) slack_[i] = std::max(0.1, sides_[i].limit - side_value(sides_[i], x_));
-    std::vector<double> step, affine_products(sides_.size(), 0.0), targets(sides_.size());
+    start();
+    std::vector<double> step;
     for (result.iterations = 0; result.iterations < max_iterations; ++result.iterations) {
       residuals();
-      const double gap = complementarity();
+      const double gap = complementarity(0);
       if (gap < tolerance && largest(dual_residual_) < 1e-9 && largest(primal_residual_) < 1e-10) {
         result.converged = true;
         break;
       }
       if (!factor()) break;
       // Predictor: straight at the solution. Corrector: centred, and with the predictor's second order term.
-      for (std::size_t i = 0; i < sides_.size(); ++i) targets[i] = dual_[i] * slack_[i];
-      direction(targets, step);
-      const double reach = std::min(longest(slack_, slack_step_), longest(dual_, dual_step_));
-      double after = 0;
-      for (std::size_t i = 0; i < sides_.size(); ++i) {
-        after += (slack_[i] + reach * slack_step_[i]) * (dual_[i] + reach * dual_step_[i]);
-        affine_products[i] = slack_step_[i] * dual_step_[i];
+      const std::size_t n = sides_.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        slack_product_[i] = dual_[i] * slack_[i];
+        excess_product_[i] = is_soft(i) ? (sides_[i].price - dual_[i]) * excess_[i] : 0;
       }
-      after /= static_cast<double>(sides_.size());
-      const double centring = std::pow(after / gap, 3) * gap;
-      for (std::size_t i = 0; i < sides_.size(); ++i)
-        targets[i] = dual_[i] * slack_[i] + affine_products[i] - centring;
-      direction(targets, step);
-      const double length = std::min(1.0, 0.995 * std::min(longest(slack_, slack_step_), longest(dual_, dual_step_)));
+      direction(step);
+      const double centring = std::pow(complementarity(longest()) / gap, 3) * gap;
+      for (std::size_t i = 0; i < n; ++i) {
+        slack_product_[i] += slack_step_[i] * dual_step_[i] - centring;
+        if (is_soft(i)) excess_product_[i] += -excess_step_[i] * dual_step_[i] - centring;
+      }
+      direction(step);
+      const double length = std::min(1.0, 0.995 * longest());
       for (std::size_t i = 0; i < count_; ++i) x_[i] += length * step[i];
-      for (std::size_t i = 0; i < sides_.size(); ++i) {
+      for (std::size_t i = 0; i < n; ++i) {
         slack_[i] += length * slack_step_[i];
         dual_[i] += length * dual_step_[i];
+        excess_[i] += length * excess_step_[i];
       }
     }
     for (double& value : x_) value = std::clamp(value, 0.0, 1.0);
@@ -133,35 +141,70 @@ class InteriorPoint {
   }
 
  private:
+  bool is_soft(std::size_t i) const { return std::isfinite(sides_[i].price); }
+
+  void start() {
+    const std::size_t n = sides_.size();
+    x_.assign(count_, 0.5);
+    slack_.resize(n);
+    dual_.resize(n);
+    excess_.assign(n, 0.0);
+    for (auto* values : {&slack_step_, &dual_step_, &excess_step_, &slack_product_, &excess_product_, &primal_residual_})
+      values->assign(n, 0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+      slack_[i] = std::max(0.1, sides_[i].limit - side_value(sides_[i], x_));
+      dual_[i] = is_soft(i) ? std::min(1.0, sides_[i].price / 2) : 1.0;
+      if (is_soft(i)) excess_[i] = std::min(0.1, 0.1 / (sides_[i].price - dual_[i]));
+    }
+  }
+
   double side_value(const Side& side, const std::vector<double>& x) const {
-    if (side.row == nullptr) return side.sign * x[side.first];
+    if (side.kind == Side::Kind::box) return side.sign * x[side.first];
+    if (side.kind == Side::Kind::step) return side.sign * (x[side.first] - x[side.first - dims_]);
     double sum = 0;
     for (std::size_t k = 0; k < dims_; ++k) sum += side.row[k] * x[side.first + k];
     return side.sign * sum;
   }
   void add_side(const Side& side, double factor, std::vector<double>& to) const {
-    if (side.row == nullptr) {
-      to[side.first] += side.sign * factor;
-    } else {
+    if (side.kind == Side::Kind::row) {
       for (std::size_t k = 0; k < dims_; ++k) to[side.first + k] += side.sign * factor * side.row[k];
+      return;
     }
+    to[side.first] += side.sign * factor;
+    if (side.kind == Side::Kind::step) to[side.first - dims_] -= side.sign * factor;
   }
   static double largest(const std::vector<double>& values) {
     double most = 0;
     for (const double value : values) most = std::max(most, std::abs(value));
     return most;
   }
-  // How far a positive vector may go along a step before it reaches 0, at most 1.
-  static double longest(const std::vector<double>& from, const std::vector<double>& step) {
+  // How far all that must stay positive may go along the step, at most 1.
+  double longest() const {
     double length = 1;
-    for (std::size_t i = 0; i < from.size(); ++i)
-      if (step[i] < 0) length = std::min(length, -from[i] / step[i]);
+    const auto limit = [&](double from, double along) {
+      if (along < 0) length = std::min(length, -from / along);
+    };
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      limit(slack_[i], slack_step_[i]);
+      limit(dual_[i], dual_step_[i]);
+      if (!is_soft(i)) continue;
+      limit(excess_[i], excess_step_[i]);
+      limit(sides_[i].price - dual_[i], -dual_step_[i]);
+    }
     return length;
   }
-  double complementarity() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < sides_.size(); ++i) sum += slack_[i] * dual_[i];
-    return sum / static_cast<double>(sides_.size());
+  // Mean product of what must vanish against each other, after a step of this length.
+  double complementarity(double length) const {
+    double sum = 0, terms = 0;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      const double dual = dual_[i] + length * dual_step_[i];
+      sum += (slack_[i] + length * slack_step_[i]) * dual;
+      ++terms;
+      if (!is_soft(i)) continue;
+      sum += (excess_[i] + length * excess_step_[i]) * (sides_[i].price - dual);
+      ++terms;
+    }
+    return sum / terms;
   }
 
   void residuals() {
@@ -172,11 +215,17 @@ class InteriorPoint {
       if (i + dims_ < count_) value -= smoothness_ * x_[i + dims_];
       dual_residual_[i] = value;
     }
-    primal_residual_.resize(sides_.size());
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       add_side(sides_[i], dual_[i], dual_residual_);
-      primal_residual_[i] = side_value(sides_[i], x_) + slack_[i] - sides_[i].limit;
+      primal_residual_[i] = side_value(sides_[i], x_) + slack_[i] - excess_[i] - sides_[i].limit;
     }
+  }
+
+  // d dual / d side value: 1 / (slack / dual + excess / (price - dual)).
+  double stiffness(std::size_t i) const {
+    double give = slack_[i] / dual_[i];
+    if (is_soft(i)) give += excess_[i] / (sides_[i].price - dual_[i]);
+    return 1 / give;
   }
 
   bool factor() {
@@ -186,32 +235,39 @@ class InteriorPoint {
       if (i >= dims_) matrix_.row(i)[0] = -smoothness_;
     }
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const double weight = dual_[i] / slack_[i];
+      const double weight = stiffness(i);
       const Side& side = sides_[i];
-      if (side.row == nullptr) {
-        matrix_.row(side.first)[dims_] += weight;
+      if (side.kind == Side::Kind::row) {
+        for (std::size_t a = 0; a < dims_; ++a)
+          for (std::size_t b = 0; b <= a; ++b)
+            matrix_.row(side.first + a)[dims_ + b - a] += weight * side.row[a] * side.row[b];
         continue;
       }
-      for (std::size_t a = 0; a < dims_; ++a)
-        for (std::size_t b = 0; b <= a; ++b)
-          matrix_.row(side.first + a)[dims_ + b - a] += weight * side.row[a] * side.row[b];
+      matrix_.row(side.first)[dims_] += weight;
+      if (side.kind == Side::Kind::box) continue;
+      matrix_.row(side.first - dims_)[dims_] += weight;
+      matrix_.row(side.first)[0] -= weight;
     }
     return matrix_.factor();
   }
 
-  // Newton direction for complementarity products reduced by `products`.
-  void direction(const std::vector<double>& products, std::vector<double>& step) {
-    step.assign(count_, 0.0);
+  // Newton direction that takes slack_product_ off slack * dual and excess_product_ off excess * (price - dual).
+  void direction(std::vector<double>& step) {
+    step.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) step[i] = -dual_residual_[i];
-    for (std::size_t i = 0; i < sides_.size(); ++i)
-      add_side(sides_[i], -(dual_[i] * primal_residual_[i] - products[i]) / slack_[i], step);
+    for (std::size_t i = 0; i < sides_.size(); ++i) add_side(sides_[i], -stiffness(i) * offset(i), step);
     matrix_.solve(step);
-    slack_step_.resize(sides_.size());
-    dual_step_.resize(sides_.size());
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-      slack_step_[i] = -primal_residual_[i] - side_value(sides_[i], step);
-      dual_step_[i] = -(products[i] + dual_[i] * slack_step_[i]) / slack_[i];
+      dual_step_[i] = stiffness(i) * (side_value(sides_[i], step) + offset(i));
+      slack_step_[i] = -(slack_product_[i] + slack_[i] * dual_step_[i]) / dual_[i];
+      excess_step_[i] =
+          is_soft(i) ? (excess_[i] * dual_step_[i] - excess_product_[i]) / (sides_[i].price - dual_[i]) : 0;
     }
+  }
+  double offset(std::size_t i) const {
+    double value = primal_residual_[i] - slack_product_[i] / dual_[i];
+    if (is_soft(i)) value += excess_product_[i] / (sides_[i].price - dual_[i]);
+    return value;
   }
 
   std::size_t dims_, count_;
@@ -219,13 +275,15 @@ class InteriorPoint {
   BandMatrix matrix_;
   std::vector<double> diagonal_, pull_;
   std::vector<Side> sides_;
-  std::vector<double> x_, slack_, dual_, slack_step_, dual_step_, dual_residual_, primal_residual_;
+  std::vector<double> x_, slack_, dual_, excess_, slack_step_, dual_step_, excess_step_;
+  std::vector<double> slack_product_, excess_product_, dual_residual_, primal_residual_;
 };
 
 }  // namespace
 
 BoundedTrajectory solve_bounded_trajectory(const TrajectoryTargets& targets, double smoothness,
-                                           const std::vector<FrameBound>& bounds, const TrajectoryEnds& ends) {
+                                           const std::vector<FrameBound>& bounds, const TrajectoryEnds& ends,
+                                           const StepBound& steps) {
   const std::size_t count = targets.frames * targets.dims;
   check(targets.precision.size() == count && targets.target.size() == count, "precision has ", targets.precision.size(),
         " values and target ", targets.target.size(), ", expected ", targets.frames, " x ", targets.dims, " = ", count);
@@ -233,7 +291,7 @@ BoundedTrajectory solve_bounded_trajectory(const TrajectoryTargets& targets, dou
     check(bound.frame < targets.frames && bound.row.size() == targets.dims, "a bound on frame ", bound.frame, " has ",
           bound.row.size(), " coefficients, expected a frame below ", targets.frames, " and ", targets.dims);
   if (count == 0) return {{}, true, 0};
-  return InteriorPoint(targets, smoothness, bounds, ends).solve();
+  return InteriorPoint(targets, smoothness, bounds, ends, steps).solve();
 }
 
 }  // namespace face::trajectory

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "nodes/trajectory/gaussian_trajectory.h"
@@ -13,6 +14,15 @@ struct FrameBound {
   std::vector<double> row;  // dims
   double low = 0;
   double high = 0;
+  // Energy per unit by which the bound is broken: a large price is kept exactly wherever it can be, and broken as little as
+  // possible where not. Infinite = must hold.
+  double price = std::numeric_limits<double>::infinity();
+};
+
+// No value changes by more than this from frame to frame, at a price as above.
+struct StepBound {
+  double largest = std::numeric_limits<double>::infinity();
+  double price = std::numeric_limits<double>::infinity();
 };
 
 struct BoundedTrajectory {
@@ -30,8 +40,10 @@ struct TrajectoryEnds {
 
 // Minimises E of gaussian_trajectory.h subject to the bounds and 0 <= x <= 1, by a primal-dual interior point method
 // (Mehrotra, On the Implementation of a Primal-Dual Interior Point Method, SIAM J. Optimization 2, 1992). Bounds couple values
-// of one frame only, so each step is one banded Cholesky solve of half-bandwidth dims: O(frames x dims^3).
+// of one frame, or one value of two frames, so each iteration is one banded Cholesky solve of half-bandwidth dims:
+// O(frames x dims^3).
 BoundedTrajectory solve_bounded_trajectory(const TrajectoryTargets& targets, double smoothness,
-                                           const std::vector<FrameBound>& bounds, const TrajectoryEnds& ends = {});
+                                           const std::vector<FrameBound>& bounds, const TrajectoryEnds& ends = {},
+                                           const StepBound& steps = {});
 
 }  // namespace face::trajectory

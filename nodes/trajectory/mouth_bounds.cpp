@@ -15,9 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::string_view corrector_names[] = {
-    "jawOpen",         "mouthClose",     "mouthFunnel",     "mouthRollLower",     "mouthRollUpper",
-    "mouthShrugLower", "mouthShrugUpper", "mouthPressLeft", "mouthPressRight",    "mouthLowerDownLeft",
-    "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight"};
+    "jawOpen",        "mouthClose",      "mouthFunnel",        "mouthPucker",         "mouthRollLower",
+    "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper",    "mouthPressLeft",      "mouthPressRight",
+    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight"};
 
 double product(const std::vector<double>& row, const std::vector<double>& weights) {
   double sum = 0;
@@ -62,9 +62,10 @@ double MouthBounds::teeth_mm(const std::vector<double>& weights) const {
 }
 
 void MouthBounds::append(std::size_t frame, const std::vector<double>& row, double value,
-                         const std::vector<double>& weights, double low, double high,
-                         std::vector<FrameBound>& bounds) const {
+                         const std::vector<double>& weights, double low, double high, std::vector<FrameBound>& bounds,
+                         double price) const {
   FrameBound bound;
+  bound.price = price;
   bound.frame = frame;
   double constant = value;
   bool acts = false;
@@ -108,7 +109,7 @@ void MouthBounds::bound_teeth(std::size_t frame, const std::vector<double>& weig
     contact.normal = direction;
     std::vector<double> row = teeth_.row(contact);
     row.resize(arkit_count);
-    append(frame, row, value, weights, low, high, bounds);
+    append(frame, row, value, weights, low, high, bounds, limits_.teeth_price);
   };
   for (std::size_t i = 0; i < std::min(most_bite_bounds, contacts.size()); ++i) {
     if (i > 0 && contacts[i].distance_mm > near_mm) break;
@@ -126,9 +127,10 @@ void MouthBounds::bound_teeth(std::size_t frame, const std::vector<double>& weig
 }
 
 bool MouthBounds::teeth_hold(const std::vector<double>& weights, bool touch) const {
+  const double deepest_mm = limits_.bite_mm + limits_.tolerance_mm;
+  if (!touch) return teeth_.depth_mm(as_floats(weights)) <= deepest_mm;
   const double distance_mm = teeth_mm(weights);
-  return distance_mm >= -limits_.bite_mm - limits_.tolerance_mm &&
-         (!touch || distance_mm <= limits_.teeth_mm + limits_.tolerance_mm);
+  return distance_mm >= -deepest_mm && distance_mm <= limits_.teeth_mm + limits_.tolerance_mm;
 }
 
 }  // namespace face::trajectory

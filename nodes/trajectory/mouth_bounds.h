@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "nodes/base/mouth.h"
@@ -17,10 +18,11 @@ struct MouthLimits {
   double overlap_mm = 0.2;       // no pair of lip points runs deeper into each other, at any time
   double closed_mm = 0.1;        // the mean gap of a closure is at most this
   double closed_pair_mm = 0.6;   // and that of every pair this
-  double teeth_mm = 0.4;         // the lower lip comes at least so near to the teeth
+  double teeth_mm = 0.2;         // the lower lip comes at least so near to the teeth
   double bite_mm = 0.4;          // and enters them by no more than this
-  double slide_mm = 0.5;         // along them per linearisation
-  double tolerance_mm = 0.4;     // by which a contact may miss these and still counts as made
+  double slide_mm = 0.35;        // along them per linearisation; hypot(teeth_mm, slide_mm) is within the tolerance
+  double teeth_price = 300;      // per mm that the teeth stay out of reach: some rigs, and some very short phones, have to
+  double tolerance_mm = 0.3;     // by which a contact may miss these and still counts as made
 };
 
 // The mouth of one rig as bounds on the ARKit-52 weights of a frame.
@@ -28,8 +30,8 @@ class MouthBounds {
  public:
   explicit MouthBounds(const Rig& rig, const MouthLimits& limits = {});
 
-  // The shapes that may deviate from the speech trajectory to make contact, ascending: those that move the lips up and down.
-  // Rounding, spreading, eyes and brows are left as they are.
+  // The shapes that may deviate from the speech trajectory to make contact, ascending: those that move the lips up, down, in
+  // and out. Spreading, eyes and brows are left as they are.
   const std::vector<std::size_t>& correctors() const { return correctors_; }
   bool has_lips() const { return !pair_rows_.empty(); }
   bool has_teeth() const { return teeth_.usable(); }
@@ -51,7 +53,8 @@ class MouthBounds {
  private:
   // low <= value + row . (x - weights) <= high, as a bound on the correctors alone.
   void append(std::size_t frame, const std::vector<double>& row, double value, const std::vector<double>& weights, double low,
-              double high, std::vector<FrameBound>& bounds) const;
+              double high, std::vector<FrameBound>& bounds,
+              double price = std::numeric_limits<double>::infinity()) const;
 
   MouthLimits limits_;
   std::vector<std::vector<double>> pair_rows_;  // P x 52

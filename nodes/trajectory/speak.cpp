@@ -17,6 +17,9 @@ constexpr double reference_rate_hz = 30;
 constexpr double quantum = 1.0 / 4096;
 // A contact bends the curve over about 60 ms to either side; beyond this time what is left of it is below the quantum.
 constexpr double reach_s = 0.4;
+// No weight goes faster than this, per second (0.22 per frame at 60 Hz), unless a closure could not be made otherwise.
+constexpr double largest_change_hz = 13.2;
+constexpr double step_price = 3000;
 // Linearisations of the lip-teeth distance; two or three are the rule.
 constexpr int most_passes = 8;
 
@@ -28,6 +31,7 @@ struct FrameRange {
 struct Speech {
   const TrajectoryTargets& targets;
   double smoothness;
+  StepBound steps;
   const MouthBounds& mouth;
   const std::vector<Contact>& contacts;
   std::vector<double> values;  // frames x 52
@@ -124,7 +128,7 @@ void solve_piece(Speech& speech, const FrameRange& piece) {
   // there: what holds already must not move because of a contact a minute away.
   std::vector<std::vector<FrameBound>> teeth(piece.end - piece.first);
   std::vector<bool> stale = linear.touch;
-  bool with_teeth = speech.mouth.has_teeth();
+  const bool with_teeth = speech.mouth.has_teeth();
   for (int pass = 0; pass < most_passes; ++pass) {
     std::vector<FrameBound> bounds = linear.lips;
     for (std::size_t j = 0; with_teeth && j < teeth.size(); ++j) {
@@ -135,12 +139,7 @@ void solve_piece(Speech& speech, const FrameRange& piece) {
       bounds.insert(bounds.end(), teeth[j].begin(), teeth[j].end());
     }
     const BoundedTrajectory solved =
-        solve_bounded_trajectory(problem.targets, speech.smoothness, bounds, problem.ends);
-    // Lips and vowels can always be made: weight 0 is closed and the jaw opens. Teeth may be out of a rig's reach.
-    if (!solved.converged && with_teeth) {
-      with_teeth = false;
-      continue;
-    }
+        solve_bounded_trajectory(problem.targets, speech.smoothness, bounds, problem.ends, speech.steps);
     for (std::size_t i = piece.first; i < piece.end; ++i)
       for (std::size_t k = 0; k < correctors.size(); ++k)
         speech.values[i * arkit_count + correctors[k]] = solved.values[(i - piece.first) * correctors.size() + k];
@@ -190,7 +189,8 @@ SpeakResult speak(const Phones& phones, const Visemes& visemes, const Rig& rig, 
   const std::vector<Contact> contacts = find_contacts(phones, visemes, options.rate_hz);
   const MouthBounds mouth(rig);
   const double smoothness = smoothness_at(options.smoothness, reference_rate_hz, options.rate_hz);
-  Speech speech{targets, smoothness, mouth, contacts, solve_trajectory(targets, smoothness)};
+  const StepBound steps{largest_change_hz / options.rate_hz, step_price};
+  Speech speech{targets, smoothness, steps, mouth, contacts, solve_trajectory(targets, smoothness)};
   for (const FrameRange& piece : find_pieces(speech, options.rate_hz)) solve_piece(speech, piece);
   for (double& value : speech.values) value = std::clamp(std::round(value / quantum) * quantum, 0.0, 1.0);
 

@@ -63,14 +63,15 @@ struct JudgedTeeth {
   std::vector<bool> border;
 };
 
-// Vertex to vertex; negative where the lip vertex lies behind every polygon about the nearest vertex of the teeth.
+// Vertex to vertex; where the lip vertex lies behind every polygon about the nearest vertex of the teeth, minus its depth below
+// the nearest of their planes.
 inline double judged_teeth_mm(const face::Rig& rig, const std::vector<face::Vec3f>& posed, const JudgedTeeth& teeth) {
   const auto product = [](const face::Vec3f& a, const face::Vec3f& b) {
     return double{a[0]} * b[0] + double{a[1]} * b[1] + double{a[2]} * b[2];
   };
   double least = 1e9;
   for (const std::uint32_t lip : rig.lower_lip) {
-    double nearest = 1e9;
+    double nearest = 1e9, plane = 0;
     bool inside = false;
     for (std::size_t t = 0; t < rig.upper_teeth.size(); ++t) {
       const face::Vec3f &p = posed[lip], &tooth = posed[rig.upper_teeth[t]];
@@ -78,10 +79,12 @@ inline double judged_teeth_mm(const face::Rig& rig, const std::vector<face::Vec3
       const double squared = product(d, d);
       if (squared >= nearest) continue;
       nearest = squared;
-      inside = !teeth.border[t];
-      for (const face::Vec3f& normal : teeth.normals[t]) inside = inside && product(d, normal) < 0;
+      plane = -1e9;
+      for (const face::Vec3f& normal : teeth.normals[t])
+        plane = std::max(plane, product(d, normal) / std::sqrt(product(normal, normal)));
+      inside = !teeth.border[t] && plane < 0;
     }
-    least = std::min(least, (inside ? -1 : 1) * std::sqrt(nearest));
+    least = std::min(least, inside ? plane : std::sqrt(nearest));
   }
   return least;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "nodes/decode/read_rig.h"
+#include "nodes/phantom/make_head.h"
 #include "nodes/speech/say.h"
 #include "nodes/trajectory/read_visemes.h"
 #include "nodes/trajectory/speak.h"
@@ -49,12 +50,13 @@ engine::File ict_folder(const std::string& path) {
 void expect_good_lips(const Rig& rig) {
   const Visemes visemes =
       read_visemes(engine::File::at(std::string(FACEGRAPH_SOURCE_DIR) + "/graphs/speech/visemes.json"));
+  engine::Progress silent;
   test::Verdict all;
   double speech_s = 0;
   std::chrono::duration<double> spent{};
   for (const speech::Voice voice : {speech::Voice::slt, speech::Voice::rms})
     for (const char* sentence : sentences) {
-      const Phones phones = speech::say(sentence, {.voice = voice}).phones;
+      const Phones phones = speech::say(sentence, {.voice = voice}, silent).phones;
       std::vector<Weights> weights;
       engine::SeqWriter<Weights> writer([&](std::string, Weights value) { weights.push_back(std::move(value)); });
       const auto start = std::chrono::steady_clock::now();
@@ -87,6 +89,8 @@ TEST(SpeakVoices, LipsOfTheIctHeadMeetInEveryBilabial) {
   DATA_FILE(path, "ict-face/FaceXModel");
   expect_good_lips(decode::read_rig(ict_folder(path), nullptr));
 }
+
+TEST(SpeakVoices, LipsOfTheEmbeddedHeadMeetInEveryBilabial) { expect_good_lips(phantom::make_head()); }
 
 }  // namespace
 }  // namespace face::trajectory
