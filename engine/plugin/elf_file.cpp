@@ -23,7 +23,8 @@ Bytes read_file(const std::string& path, bool start_only) {
   if (std::filesystem::is_directory(path, folder)) throw PluginError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) throw PluginError("cannot read " + path + ": " + std::strerror(errno));
-  const std::streamoff size = start_only ? std::min<std::streamoff>(file.tellg(), kStartBytes) : std::streamoff(file.tellg());
+  const std::streamoff size =
+      start_only ? std::min<std::streamoff>(file.tellg(), kStartBytes) : std::streamoff(file.tellg());
   Bytes bytes(size > 0 ? static_cast<std::size_t>(size) : 0);
   file.seekg(0);
   if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
@@ -35,7 +36,9 @@ constexpr std::uint64_t aligned(std::uint64_t size) { return (size + 3) & ~std::
 
 }  // namespace
 
-void ElfFile::fail(const std::string& what) const { throw PluginError(path_ + " is no usable shared library: " + what); }
+void ElfFile::fail(const std::string& what) const {
+  throw PluginError(path_ + " is no usable shared library: " + what);
+}
 
 std::span<const std::uint8_t> ElfFile::part(Range range, const char* what) const {
   if (range.offset > bytes_.size() || range.size > bytes_.size() - range.offset)
@@ -61,13 +64,15 @@ std::string ElfFile::text(Range table, std::uint64_t at, const char* what) const
 
 ElfFile::ElfFile(const std::string& path, bool start_only) : path_(path), bytes_(read_file(path, start_only)) {
   if (bytes_.size() < SELFMAG || std::memcmp(bytes_.data(), ELFMAG, SELFMAG) != 0) fail("it is not an ELF file");
-  if (bytes_.size() < sizeof(Elf64_Ehdr)) fail("it is truncated: the file has " + std::to_string(bytes_.size()) + " bytes");
+  if (bytes_.size() < sizeof(Elf64_Ehdr))
+    fail("it is truncated: the file has " + std::to_string(bytes_.size()) + " bytes");
   const auto header = read<Elf64_Ehdr>(0, "the header");
   if (header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != ELFDATA2LSB || header.e_machine != EM_X86_64)
     fail("it is not for x86-64 (its machine is " + std::to_string(header.e_machine) + ", expected " +
          std::to_string(EM_X86_64) + ")");
   if (header.e_type != ET_DYN)
-    fail("its type is " + std::to_string(header.e_type) + ", expected " + std::to_string(ET_DYN) + " (a shared object)");
+    fail("its type is " + std::to_string(header.e_type) + ", expected " + std::to_string(ET_DYN) +
+         " (a shared object)");
   if (header.e_phentsize != sizeof(Elf64_Phdr) || header.e_phnum == 0) fail("it has no program headers");
   for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
     if (header.e_phoff > bytes_.size()) fail("it is truncated: the program headers lie behind its end");
@@ -123,7 +128,8 @@ void ElfFile::read_dynamic() {
 void ElfFile::read_build_id(bool start_only) {
   for (const ProgramHeader& header : program_headers_) {
     if (header.type != PT_NOTE) continue;
-    if (start_only && (header.file.offset > bytes_.size() || header.file.size > bytes_.size() - header.file.offset)) continue;
+    if (start_only && (header.file.offset > bytes_.size() || header.file.size > bytes_.size() - header.file.offset))
+      continue;
     const auto notes = part(header.file, "a note");
     for (std::size_t at = 0; at + sizeof(Elf64_Nhdr) <= notes.size();) {
       Elf64_Nhdr note;
@@ -134,7 +140,8 @@ void ElfFile::read_build_id(bool start_only) {
       if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(notes.data() + name, "GNU", 4) == 0) {
         const auto id = notes.subspan(content, note.n_descsz);
         build_id_.assign(id.begin(), id.end());
-        std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(header.file.offset + content), note.n_descsz, std::uint8_t{0});
+        std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(header.file.offset + content), note.n_descsz,
+                    std::uint8_t{0});
       }
       at = content + aligned(note.n_descsz);
     }
@@ -146,7 +153,8 @@ std::vector<ElfFile::Segment> ElfFile::loadable_segments() const {
   std::vector<Segment> segments;
   for (const ProgramHeader& header : program_headers_)
     if (header.type == PT_LOAD)
-      segments.push_back({header.address, header.size_in_memory, header.flags, part(header.file, "a loadable segment")});
+      segments.push_back(
+          {header.address, header.size_in_memory, header.flags, part(header.file, "a loadable segment")});
   return segments;
 }
 
@@ -165,8 +173,9 @@ std::vector<std::string> ElfFile::run_path() const {
 std::string ElfFile::section(std::string_view name) const {
   if (section_count_ == 0) return {};
   if (sections_offset_ > bytes_.size()) fail("it is truncated: the section headers lie behind its end");
-  if (section_names_ >= section_count_) fail("the section names lie in section " + std::to_string(section_names_) + " of " +
-                                             std::to_string(section_count_));
+  if (section_names_ >= section_count_)
+    fail("the section names lie in section " + std::to_string(section_names_) + " of " +
+         std::to_string(section_count_));
   const auto header = [&](std::uint64_t index) {
     return read<Elf64_Shdr>(sections_offset_ + index * sizeof(Elf64_Shdr), "the section headers");
   };

@@ -11,8 +11,8 @@
 
 namespace engine {
 
-// A shared library as bytes: it is never loaded, and nothing in it is trusted. Throws PluginError, which names the file and
-// what is wrong with it.
+// A shared library as bytes: it is never loaded, and nothing in it is trusted. Throws PluginError, which names the file
+// and what is wrong with it.
 class ElfFile {
  public:
   explicit ElfFile(const std::string& path) : ElfFile(path, false) {}
@@ -24,12 +24,12 @@ class ElfFile {
     std::uint32_t flags = 0;
     std::span<const std::uint8_t> bytes;
   };
-  // What the loader maps, with everything zeroed that tells nothing of the code: where the sections are (they move with the
-  // debugging information, which is not mapped) and the build-id.
+  // What the loader maps, with everything zeroed that tells nothing of the code: where the sections are (they move with
+  // the debugging information, which is not mapped) and the build-id.
   std::vector<Segment> loadable_segments() const;
 
-  std::vector<std::string> needed() const;    // DT_NEEDED, in order
-  std::vector<std::string> run_path() const;  // DT_RUNPATH, else DT_RPATH; $ORIGIN is not replaced
+  std::vector<std::string> needed() const;             // DT_NEEDED, in order
+  std::vector<std::string> run_path() const;           // DT_RUNPATH, else DT_RPATH; $ORIGIN is not replaced
   const Bytes& build_id() const { return build_id_; }  // empty where there is none
 
   // The bytes of a named section; empty where there is none.

@@ -16,14 +16,19 @@ namespace fs = std::filesystem;
 namespace {
 
 // Where the loader looks last. Debian's own folders, and what /etc/ld.so.conf.d adds on a fresh system.
-constexpr std::array<const char*, 7> kStandardFolders = {
-    "/usr/local/lib/x86_64-linux-gnu", "/usr/local/lib", "/lib/x86_64-linux-gnu", "/usr/lib/x86_64-linux-gnu",
-    "/lib64", "/lib", "/usr/lib"};
+constexpr std::array<const char*, 7> kStandardFolders = {"/usr/local/lib/x86_64-linux-gnu",
+                                                         "/usr/local/lib",
+                                                         "/lib/x86_64-linux-gnu",
+                                                         "/usr/lib/x86_64-linux-gnu",
+                                                         "/lib64",
+                                                         "/lib",
+                                                         "/usr/lib"};
 
 // The engine's inline part is in the plugin, the rest of it is a number in the key. The runtime keeps what it does.
 bool never_counts(std::string_view soname) {
-  constexpr std::array<std::string_view, 9> names = {"libengine.so", "libc.so",       "libm.so",  "libstdc++.so",
-                                                     "libgcc_s.so",  "libpthread.so", "libdl.so", "librt.so", "ld-linux"};
+  constexpr std::array<std::string_view, 9> names = {"libengine.so", "libc.so",     "libm.so",
+                                                     "libstdc++.so", "libgcc_s.so", "libpthread.so",
+                                                     "libdl.so",     "librt.so",    "ld-linux"};
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return soname.starts_with(name); });
 }
 
@@ -102,7 +107,8 @@ class Digester {
   // In the loader's order; our own folders come last, for libraries that were linked without a run path.
   std::optional<Found> find(const std::string& soname, const std::string& needed_by,
                             const std::vector<std::string>& run_path) const {
-    const std::string origin = plain(fs::path(needed_by).parent_path().empty() ? fs::path(".") : fs::path(needed_by).parent_path());
+    const std::string origin =
+        plain(fs::path(needed_by).parent_path().empty() ? fs::path(".") : fs::path(needed_by).parent_path());
     const auto look = [&](const std::string& folder, bool relative) -> std::optional<Found> {
       std::error_code error;
       const fs::path path = fs::path(folder) / soname;

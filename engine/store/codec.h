@@ -8,8 +8,8 @@
 
 namespace engine::store {
 
-// Byte forms of what the index and the journals hold. The outputs stand apart from the rest of a record: a rerun that does
-// nothing reads them alone. All end with a checksum; decoding throws std::runtime_error for damaged bytes.
+// Byte forms of what the index and the journals hold. The outputs stand apart from the rest of a record: a rerun that
+// does nothing reads them alone. All end with a checksum; decoding throws std::runtime_error for damaged bytes.
 Bytes encode_outputs(const std::vector<OutputRecord>& outputs);
 std::vector<OutputRecord> decode_outputs(std::span<const std::uint8_t> bytes);
 

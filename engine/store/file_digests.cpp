@@ -11,8 +11,8 @@
 namespace engine::store {
 namespace {
 
-// A file that was changed this shortly before it was read may change again without its times telling (they advance in steps
-// of a few milliseconds, on some file systems of 2 s): its digest is not remembered.
+// A file that was changed this shortly before it was read may change again without its times telling (they advance in
+// steps of a few milliseconds, on some file systems of 2 s): its digest is not remembered.
 constexpr std::int64_t kDoubtNs = 2'000'000'000;
 constexpr int kTries = 5;
 

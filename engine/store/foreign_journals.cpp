@@ -31,14 +31,16 @@ bool ForeignJournals::refresh() {
 std::shared_ptr<const Entries::Record> ForeignJournals::record(const Digest& key) const {
   const std::lock_guard lock(mutex_);
   for (const auto& [name, journal] : followed_)
-    if (const auto found = journal.entries.records.find(key); found != journal.entries.records.end()) return found->second;
+    if (const auto found = journal.entries.records.find(key); found != journal.entries.records.end())
+      return found->second;
   return nullptr;
 }
 
 std::shared_ptr<const Bytes> ForeignJournals::value(const Digest& digest) const {
   const std::lock_guard lock(mutex_);
   for (const auto& [name, journal] : followed_)
-    if (const auto found = journal.entries.values.find(digest); found != journal.entries.values.end()) return found->second;
+    if (const auto found = journal.entries.values.find(digest); found != journal.entries.values.end())
+      return found->second;
   return nullptr;
 }
 

@@ -10,8 +10,8 @@
 
 namespace engine::store {
 
-// What other processes wrote to their journals and the index does not hold yet. Each journal is read on from where the last
-// reading ended.
+// What other processes wrote to their journals and the index does not hold yet. Each journal is read on from where the
+// last reading ended.
 class ForeignJournals {
  public:
   ForeignJournals(std::string folder, std::string own) : folder_(std::move(folder)), own_(std::move(own)) {}

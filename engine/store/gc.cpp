@@ -21,12 +21,14 @@ GcResult collect(Index& index, Objects& objects, const std::unordered_set<Digest
     candidates.push_back({std::move(item), small});
   };
   objects.for_each([&](Objects::Item item) { add(std::move(item), false); });
-  for (const Index::SmallValue& value : index.small_values()) add({{}, value.digest, false, value.size, value.used_ns}, true);
+  for (const Index::SmallValue& value : index.small_values())
+    add({{}, value.digest, false, value.size, value.used_ns}, true);
 
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.item.used_ns != b.item.used_ns ? a.item.used_ns < b.item.used_ns : a.item.digest < b.item.digest;
   });
-  const std::int64_t oldest_ns = limits.max_age_s > 0 ? now_ns() - static_cast<std::int64_t>(limits.max_age_s * 1e9) : 0;
+  const std::int64_t oldest_ns =
+      limits.max_age_s > 0 ? now_ns() - static_cast<std::int64_t>(limits.max_age_s * 1e9) : 0;
   std::vector<Digest> small;
   for (const Candidate& candidate : candidates) {
     if (result.kept_bytes <= limits.max_bytes && candidate.item.used_ns >= oldest_ns) break;

@@ -18,23 +18,41 @@ namespace {
 
 constexpr int kFormat = 1;
 
-// Keys are digests, so the rows that are read most lie in the tree of the key itself, where 75,000 fit the page cache. What
-// only `explain` reads of a record stands apart, in a table that grows at its end: random inserts cost a page each.
+// Keys are digests, so the rows that are read most lie in the tree of the key itself, where 75,000 fit the page cache.
+// What only `explain` reads of a record stands apart, in a table that grows at its end: random inserts cost a page
+// each.
 constexpr const char* kSchema = R"(
 CREATE TABLE meta(name TEXT PRIMARY KEY, value INTEGER) WITHOUT ROWID;
 CREATE TABLE records(key BLOB PRIMARY KEY, outputs BLOB NOT NULL, details INTEGER NOT NULL) WITHOUT ROWID;
 CREATE TABLE details(id INTEGER PRIMARY KEY, details BLOB NOT NULL);
 CREATE TABLE small_values(digest BLOB PRIMARY KEY, bytes BLOB NOT NULL, used_ns INTEGER NOT NULL);
-CREATE TABLE histories(graph TEXT, node TEXT, written_ns INTEGER NOT NULL, entries BLOB NOT NULL, PRIMARY KEY(graph, node));
+CREATE TABLE histories(graph TEXT, node TEXT, written_ns INTEGER NOT NULL, entries BLOB NOT NULL,
+                       PRIMARY KEY(graph, node));
 CREATE TABLE pins(name TEXT, digest BLOB, PRIMARY KEY(name, digest)) WITHOUT ROWID;
 CREATE TABLE file_digests(device INTEGER, inode INTEGER, size INTEGER, mtime_ns INTEGER, ctime_ns INTEGER,
                           digest BLOB NOT NULL, PRIMARY KEY(device, inode)) WITHOUT ROWID;
 )";
 
 enum Statement {
-  kOutputs, kRecord, kValue, kValueUsed, kHistory, kFileDigest,
-  kPutDetails, kPutRecord, kPutValue, kUseValue, kPutHistory, kPutFileDigest,
-  kPutPin, kDeletePins, kPins, kSmallValues, kDeleteValue, kRecordCount, kStatements
+  kOutputs,
+  kRecord,
+  kValue,
+  kValueUsed,
+  kHistory,
+  kFileDigest,
+  kPutDetails,
+  kPutRecord,
+  kPutValue,
+  kUseValue,
+  kPutHistory,
+  kPutFileDigest,
+  kPutPin,
+  kDeletePins,
+  kPins,
+  kSmallValues,
+  kDeleteValue,
+  kRecordCount,
+  kStatements
 };
 
 constexpr const char* kSql[kStatements] = {
@@ -64,8 +82,8 @@ constexpr const char* kSql[kStatements] = {
 class Index::Connection {
  public:
   Connection(const std::string& folder, const std::string& path) : folder_(folder), path_(path) {
-    const int code =
-        sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
+    const int code = sqlite3_open_v2(path.c_str(), &handle,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
     if (code != SQLITE_OK) {
       try {
         fail();
@@ -106,14 +124,18 @@ class Index::Connection {
     const int code = handle == nullptr ? SQLITE_NOMEM : sqlite3_errcode(handle);
     const int system = handle == nullptr ? 0 : sqlite3_system_errno(handle);
     switch (code & 0xff) {
-      case SQLITE_FULL: fail_store(folder_, path_, ENOSPC);
-      case SQLITE_READONLY: fail_store(folder_, path_, EACCES);
-      case SQLITE_CANTOPEN: fail_store(folder_, path_, system != 0 ? system : EACCES);
-      case SQLITE_IOERR: fail_store(folder_, path_, system != 0 ? system : EIO);
+      case SQLITE_FULL:
+        fail_store(folder_, path_, ENOSPC);
+      case SQLITE_READONLY:
+        fail_store(folder_, path_, EACCES);
+      case SQLITE_CANTOPEN:
+        fail_store(folder_, path_, system != 0 ? system : EACCES);
+      case SQLITE_IOERR:
+        fail_store(folder_, path_, system != 0 ? system : EIO);
       case SQLITE_CORRUPT:
       case SQLITE_NOTADB:
-        throw EngineError("the index of the store in " + folder_ + " is damaged (" + sqlite3_errmsg(handle) + ": " + path_ +
-                          "): delete that folder, or choose another with --store");
+        throw EngineError("the index of the store in " + folder_ + " is damaged (" + sqlite3_errmsg(handle) + ": " +
+                          path_ + "): delete that folder, or choose another with --store");
       case SQLITE_BUSY:
         throw EngineError("the index of the store in " + folder_ + " stays locked by another process (" + path_ +
                           "): end that process, or choose another folder with --store");
@@ -233,8 +255,9 @@ Index::Index(const std::string& folder) : folder_(folder), path_(folder + "/inde
   }
   const std::int64_t format = reader_->number("SELECT value FROM meta WHERE name = 'format'");
   if (format != kFormat)
-    throw EngineError("the store in " + folder_ + " has format " + std::to_string(format) + ", this program reads format " +
-                      std::to_string(kFormat) + ": delete that folder, or choose another with --store");
+    throw EngineError("the store in " + folder_ + " has format " + std::to_string(format) +
+                      ", this program reads format " + std::to_string(kFormat) +
+                      ": delete that folder, or choose another with --store");
   reader_->run("PRAGMA cache_size = -32768");
 }
 
@@ -361,8 +384,13 @@ void Index::fold(const Entries& entries, const std::unordered_set<Digest>& used)
       histories.bind(name.first).bind(name.second).bind(history.written_ns).bind(history.entries).run();
     Query files(connection, kPutFileDigest);
     for (const auto& [identity, file] : entries.file_digests)
-      files.bind(identity.first).bind(identity.second).bind(file.state.size).bind(file.state.mtime_ns)
-          .bind(file.state.ctime_ns).bind(file.digest).run();
+      files.bind(identity.first)
+          .bind(identity.second)
+          .bind(file.state.size)
+          .bind(file.state.mtime_ns)
+          .bind(file.state.ctime_ns)
+          .bind(file.digest)
+          .run();
   }
   transaction.commit();
   renew();
@@ -398,8 +426,7 @@ std::vector<Index::SmallValue> Index::small_values() {
   const std::lock_guard lock(write_mutex_);
   std::vector<SmallValue> found;
   Query query(writer(), kSmallValues);
-  while (query.row())
-    found.push_back({query.digest(0), static_cast<std::uint64_t>(query.number(1)), query.number(2)});
+  while (query.row()) found.push_back({query.digest(0), static_cast<std::uint64_t>(query.number(1)), query.number(2)});
   return found;
 }
 

@@ -17,8 +17,8 @@ struct sqlite3_stmt;
 
 namespace engine::store {
 
-// The action index: an SQLite database in WAL mode. Reads go through one connection that keeps its snapshot until renew();
-// writes through another one, in batches. Throws EngineError.
+// The action index: an SQLite database in WAL mode. Reads go through one connection that keeps its snapshot until
+// renew(); writes through another one, in batches. Throws EngineError.
 class Index {
  public:
   struct Value {

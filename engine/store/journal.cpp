@@ -81,7 +81,8 @@ void take(std::span<const std::uint8_t> payload, Entries& into) {
       into.file_digests[{state.device, state.inode}] = {state, read_digest(reader)};
       break;
     }
-    default: break;
+    default:
+      break;
   }
 }
 

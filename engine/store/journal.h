@@ -36,16 +36,17 @@ struct Entries {
   };
   std::unordered_map<Digest, std::shared_ptr<const Record>> records;
   std::unordered_map<Digest, std::shared_ptr<const Bytes>> values;
-  std::map<std::pair<std::string, std::string>, History> histories;         // by graph and node
+  std::map<std::pair<std::string, std::string>, History> histories;            // by graph and node
   std::map<std::pair<std::uint64_t, std::uint64_t>, FileDigest> file_digests;  // by device and inode
   std::size_t bytes = 0;
 
   bool empty() const { return records.empty() && values.empty() && histories.empty() && file_digests.empty(); }
 };
 
-// This process's journals: append-only files of frames (length, CRC-32C, payload). Small values and notes wait in memory for
-// the next record, and the record takes them along in one write(), so what is finished survives any end of the process but
-// costs one system call. A journal is sealed, taken into the index and removed; later records go to a new one.
+// This process's journals: append-only files of frames (length, CRC-32C, payload). Small values and notes wait in
+// memory for the next record, and the record takes them along in one write(), so what is finished survives any end of
+// the process but costs one system call. A journal is sealed, taken into the index and removed; later records go to a
+// new one.
 class Journal {
  public:
   // owner: name of this process's lease; the files are journals/OWNER-1, OWNER-2, ...
@@ -65,8 +66,8 @@ class Journal {
   // Whether the present journal file has so many records, or bytes.
   bool reaches(std::size_t records, std::size_t bytes) const;
 
-  // Ends the present journal file and returns its entries (or those of the file sealed before and not yet taken); null where
-  // there is nothing. After taken() they are no longer answered from here.
+  // Ends the present journal file and returns its entries (or those of the file sealed before and not yet taken); null
+  // where there is nothing. After taken() they are no longer answered from here.
   std::shared_ptr<const Entries> seal();
   void taken();
 
@@ -83,9 +84,9 @@ class Journal {
   std::shared_ptr<Entries> open_ = std::make_shared<Entries>(), sealed_;
 };
 
-// Reads a journal that its owner may be appending to: each call of read() takes in the whole frames that came since. Stops at
-// a frame that is cut short or whose checksum is wrong, and tries it again at the next call: its owner may have taken a frame
-// back that did not fit the disk.
+// Reads a journal that its owner may be appending to: each call of read() takes in the whole frames that came since.
+// Stops at a frame that is cut short or whose checksum is wrong, and tries it again at the next call: its owner may
+// have taken a frame back that did not fit the disk.
 class JournalReader {
  public:
   explicit JournalReader(const std::string& path);

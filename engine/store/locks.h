@@ -15,14 +15,14 @@
 
 namespace engine::store {
 
-// Locks of open file descriptions (F_OFD_SETLK): held by a store object, against threads of other stores in this process as
-// well as other processes, and released by the kernel however the process ends.
+// Locks of open file descriptions (F_OFD_SETLK): held by a store object, against threads of other stores in this
+// process as well as other processes, and released by the kernel however the process ends.
 bool lock_range(int fd, std::int64_t offset, std::int64_t length, bool wait);
 void unlock_range(int fd, std::int64_t offset, std::int64_t length);
 bool is_locked_elsewhere(int fd);
 
-// The file `shared` of a store: its byte ranges are the locks of keys and of housekeeping, its first page counts what was
-// written to journals, so that a miss costs other processes' news nothing while there are none.
+// The file `shared` of a store: its byte ranges are the locks of keys and of housekeeping, its first page counts what
+// was written to journals, so that a miss costs other processes' news nothing while there are none.
 class Shared {
  public:
   explicit Shared(const std::string& folder);
@@ -62,8 +62,8 @@ class Shared {
   std::unordered_set<std::int64_t> held_;
 };
 
-// A locked file leases/OWNER for as long as a store is open. Its modification time is when that began, by the clock that
-// stamps the store's files. Whoever finds it unlocked knows that the owner is gone, and takes in its journals.
+// A locked file leases/OWNER for as long as a store is open. Its modification time is when that began, by the clock
+// that stamps the store's files. Whoever finds it unlocked knows that the owner is gone, and takes in its journals.
 class Lease {
  public:
   explicit Lease(const std::string& folder);
@@ -83,7 +83,8 @@ struct OtherLease {
 };
 std::vector<OtherLease> live_leases(const std::string& folder, const std::string& except);
 
-// Calls `inherit` for the owner of every lease that nobody holds, then removes the lease and what that owner left in tmp/.
+// Calls `inherit` for the owner of every lease that nobody holds, then removes the lease and what that owner left in
+// tmp/.
 void visit_dead_leases(const std::string& folder, const std::function<void(const std::string& owner)>& inherit);
 
 }  // namespace engine::store

@@ -17,13 +17,16 @@
 namespace engine::store {
 namespace {
 
-constexpr int kCompressionLevel = 1;  // about as quick as hashing; higher levels are slower than recomputing many a frame
+constexpr int kCompressionLevel =
+    1;  // about as quick as hashing; higher levels are slower than recomputing many a frame
 constexpr std::size_t kBufferBytes = 1 << 20;
 
 template <auto Free>
 struct Freed {
   template <class T>
-  void operator()(T* pointer) const { Free(pointer); }
+  void operator()(T* pointer) const {
+    Free(pointer);
+  }
 };
 
 Bytes compress(const Bytes& bytes) {
@@ -41,7 +44,8 @@ bool decompress(const Bytes& packed, Bytes& bytes) {
   thread_local const std::unique_ptr<ZSTD_DCtx, Freed<ZSTD_freeDCtx>> context(ZSTD_createDCtx());
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
   if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR) return false;
-  // The size may be damaged, and must not ask for all memory: a value that claims to have shrunk a lot is unpacked piecemeal.
+  // The size may be damaged, and must not ask for all memory: a value that claims to have shrunk a lot is unpacked
+  // piecemeal.
   const std::uint64_t likely = packed.size() * 16 + (1 << 16);
   if (size <= likely) {
     bytes.resize(static_cast<std::size_t>(size));
@@ -77,7 +81,8 @@ std::string shard(const std::string& folder, const char* kind, const Digest& dig
 
 void check_suffix(const std::string& suffix) {
   if (suffix.empty()) return;
-  if (suffix[0] != '.' || suffix.size() > 60 || suffix.find('/') != std::string::npos || suffix.find('\0') != std::string::npos)
+  if (suffix[0] != '.' || suffix.size() > 60 || suffix.find('/') != std::string::npos ||
+      suffix.find('\0') != std::string::npos)
     throw std::invalid_argument("the suffix of a file is '" + suffix + "', expected a dot and a name");
 }
 
@@ -150,7 +155,8 @@ Objects::Found Objects::get(const Digest& digest, Bytes& bytes) {
   struct stat found;
   if (fstat(fd.get(), &found) == 0 && to_ns(found.st_mtim) < lease_start_ns_) touch(path);
   const std::optional<Bytes> packed = read_all(fd.get());
-  if (packed && decompress(*packed, bytes) && digest_of(std::span<const std::uint8_t>(bytes)) == digest) return Found::yes;
+  if (packed && decompress(*packed, bytes) && digest_of(std::span<const std::uint8_t>(bytes)) == digest)
+    return Found::yes;
   unlink(path.c_str());
   return Found::damaged;
 }

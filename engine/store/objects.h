@@ -14,13 +14,13 @@
 
 namespace engine::store {
 
-// The bytes of a store that lie in files of their own: objects/ab/cdef... (values, zstd) and files/ab/cdef....suffix (what
-// nodes made as files, as they are, read-only). Each appears by one rename from tmp/, so that it is whole or absent. The
-// modification time says when it was used last. No lock is held here during compression, hashing or I/O.
+// The bytes of a store that lie in files of their own: objects/ab/cdef... (values, zstd) and files/ab/cdef....suffix
+// (what nodes made as files, as they are, read-only). Each appears by one rename from tmp/, so that it is whole or
+// absent. The modification time says when it was used last. No lock is held here during compression, hashing or I/O.
 class Objects {
  public:
-  // owner: name of this process's lease, which begins the names of its temporary files. What was used since lease_start_ns
-  // need not be marked again.
+  // owner: name of this process's lease, which begins the names of its temporary files. What was used since
+  // lease_start_ns need not be marked again.
   Objects(std::string folder, std::string owner, std::int64_t lease_start_ns)
       : folder_(std::move(folder)), owner_(std::move(owner)), lease_start_ns_(lease_start_ns) {}
 
@@ -45,8 +45,8 @@ class Objects {
   void for_each(const std::function<void(Item)>& visit) const;
   // Checks an item's content against its digest and removes it where it is damaged.
   Found check(const Item& item);
-  // Removes an item unless it was used at or after spare_ns. It is moved out of sight before its time is read, so that whoever
-  // marks it as used either is seen here or finds it absent.
+  // Removes an item unless it was used at or after spare_ns. It is moved out of sight before its time is read, so that
+  // whoever marks it as used either is seen here or finds it absent.
   bool remove_unused(const Item& item, std::int64_t spare_ns);
 
   std::string temporary_path();

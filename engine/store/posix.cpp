@@ -47,7 +47,8 @@ void make_folder(const std::string& folder, const std::string& path) {
     fail_store(folder, path, ENOTDIR);
   }
   if (errno != ENOENT) fail_store(folder, path, errno);
-  const std::size_t slash = path.find_last_not_of('/') == std::string::npos ? std::string::npos : path.find_last_of('/');
+  const std::size_t slash =
+      path.find_last_not_of('/') == std::string::npos ? std::string::npos : path.find_last_of('/');
   if (slash == std::string::npos || slash == 0) fail_store(folder, path, ENOENT);
   make_folder(folder, path.substr(0, slash));
   if (mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) fail_store(folder, path, errno);

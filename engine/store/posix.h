@@ -33,7 +33,8 @@ class Fd {
   int fd_ = -1;
 };
 
-// Throws the EngineError for a failed call on a store's file: names the store's folder, the file, the cause and what to do.
+// Throws the EngineError for a failed call on a store's file: names the store's folder, the file, the cause and what to
+// do.
 [[noreturn]] void fail_store(const std::string& folder, const std::string& path, int error);
 
 // Makes a folder and its parents where they are missing.

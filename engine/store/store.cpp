@@ -27,8 +27,9 @@ namespace engine {
 namespace store {
 namespace {
 
-constexpr std::size_t kSmallBytes = 4096;   // values up to here lie in the index
-// A journal is folded when it has so many records or bytes, or is this old. Larger batches rewrite fewer pages of the index.
+constexpr std::size_t kSmallBytes = 4096;  // values up to here lie in the index
+// A journal is folded when it has so many records or bytes, or is this old. Larger batches rewrite fewer pages of the
+// index.
 constexpr std::size_t kFoldRecords = 8000;
 constexpr std::size_t kFoldBytes = 24 << 20;
 constexpr std::chrono::milliseconds kFoldWait{1000};
@@ -39,7 +40,8 @@ std::string prepared(const std::string& given) {
   const std::filesystem::path absolute = std::filesystem::absolute(given, error).lexically_normal();
   std::string folder = error ? given : absolute.string();
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  for (const char* part : {"", "/journals", "/leases", "/tmp", "/objects", "/files"}) make_folder(folder, folder + part);
+  for (const char* part : {"", "/journals", "/leases", "/tmp", "/objects", "/files"})
+    make_folder(folder, folder + part);
   return folder;
 }
 
@@ -125,9 +127,13 @@ class FolderStore final : public Store {
       }
       Bytes bytes;
       switch (objects_.get(digest, bytes)) {
-        case Objects::Found::yes: return bytes;
-        case Objects::Found::damaged: note_damaged(digest); break;
-        case Objects::Found::no: break;
+        case Objects::Found::yes:
+          return bytes;
+        case Objects::Found::damaged:
+          note_damaged(digest);
+          break;
+        case Objects::Found::no:
+          break;
       }
     }
     return std::nullopt;
@@ -254,9 +260,9 @@ class FolderStore final : public Store {
     return std::make_unique<Index>(folder_);
   }
 
-  // Looks in this process's journal, in those of others and in the index; and once more after reading the news, when there
-  // is any. Under the key's lock the news is read in any case: another process may have died between writing its record and
-  // telling of it.
+  // Looks in this process's journal, in those of others and in the index; and once more after reading the news, when
+  // there is any. Under the key's lock the news is read in any case: another process may have died between writing its
+  // record and telling of it.
   template <class Result, class Decode, class Ask>
   std::optional<Result> look_twice(const Digest& key, const Decode& decode, const Ask& ask) {
     for (const bool again : {false, true}) {

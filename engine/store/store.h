@@ -15,7 +15,7 @@ namespace engine {
 struct OutputRecord {
   struct Element {
     std::string id;
-    Digest identity;    // content digest; of a cheap node: not stored (the identity follows from key and position)
+    Digest identity;  // content digest; of a cheap node: not stored (the identity follows from key and position)
   };
   bool sequence = false;
   std::vector<Element> elements;
@@ -23,9 +23,9 @@ struct OutputRecord {
 
 // What went into a key, kept so that a later rerun can be explained. At most about 1 KB a task.
 struct KeyPart {
-  std::string label;    // "parameter levels", "input frames", "plugin toy", "version"
-  std::string value;    // parameters: as JSON; others: a digest in hex
-  std::string origin;   // inputs: "node.output[17]" or the path of a file
+  std::string label;   // "parameter levels", "input frames", "plugin toy", "version"
+  std::string value;   // parameters: as JSON; others: a digest in hex
+  std::string origin;  // inputs: "node.output[17]" or the path of a file
 };
 
 struct TaskRecord {
@@ -53,12 +53,12 @@ struct GcResult {
 };
 struct VerifyResult {
   std::uint64_t checked = 0;
-  std::vector<Digest> damaged;   // found damaged and removed
+  std::vector<Digest> damaged;  // found damaged and removed
 };
 
 // The content-addressed store and its action index, shared by any number of processes (ARCHITECTURE section 6).
-// All members may be called from several threads at once. Throws EngineError for a full disk or an unusable folder, naming
-// folder and cause; a damaged object is never returned: it counts as missing.
+// All members may be called from several threads at once. Throws EngineError for a full disk or an unusable folder,
+// naming folder and cause; a damaged object is never returned: it counts as missing.
 class Store {
  public:
   // Opens or makes the store in a folder and takes a lease (a locked file that ends with the process).
@@ -72,7 +72,8 @@ class Store {
   // Finished = the record was handed to the kernel. Its values must have been put before.
   virtual void publish(const TaskRecord& record) = 0;
 
-  // Values by the digest of their uncompressed canonical bytes. Small ones go into the index, large ones become zstd files.
+  // Values by the digest of their uncompressed canonical bytes. Small ones go into the index, large ones become zstd
+  // files.
   virtual void put(const Digest& digest, const Bytes& bytes) = 0;
   virtual std::optional<Bytes> get(const Digest& digest) = 0;
   virtual bool has(const Digest& digest) = 0;
@@ -107,8 +108,8 @@ class Store {
 
   // Housekeeping.
   virtual StoreStat stat() = 0;
-  // Removes the least recently used bytes until at most max_bytes are left and none is older than max_age_s (0 = any age);
-  // never what is pinned or was written or read since the oldest live lease.
+  // Removes the least recently used bytes until at most max_bytes are left and none is older than max_age_s (0 = any
+  // age); never what is pinned or was written or read since the oldest live lease.
   virtual GcResult gc(std::uint64_t max_bytes, double max_age_s) = 0;
   virtual void pin(const std::string& name, const std::vector<Digest>& digests) = 0;
   virtual void unpin(const std::string& name) = 0;

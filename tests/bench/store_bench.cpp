@@ -34,7 +34,8 @@ TaskRecord record_of(std::int64_t number) {
   record.key = engine::digest_of("task " + std::to_string(number));
   record.outputs = {{false, {{"", engine::digest_of("a " + std::to_string(number))}}},
                     {false, {{"", engine::digest_of("b " + std::to_string(number))}}}};
-  for (const char* label : {"version", "plugin toy", "parameter levels", "parameter window", "input frames", "input rig"})
+  for (const char* label :
+       {"version", "plugin toy", "parameter levels", "parameter window", "input frames", "input rig"})
     record.parts.push_back({label, record.key.hex(), "node.output[" + std::to_string(number) + "]"});
   record.seconds = 0.1;
   return record;

@@ -38,8 +38,8 @@ class LibraryDigest : public ::testing::Test {
   std::string library(const std::string& name, const std::string& source, const std::string& flags = "") const {
     const std::string path = folder_ + "/lib" + name + ".so";
     std::ofstream(folder_ + "/" + name + ".cpp") << source;
-    const std::string command = "cd " + folder_ + " && c++ -O1 -fPIC -shared -ffile-prefix-map=" + folder_ + "=. -Wl,--build-id -o lib" +
-                                name + ".so " + name + ".cpp -L. " + flags;
+    const std::string command = "cd " + folder_ + " && c++ -O1 -fPIC -shared -ffile-prefix-map=" + folder_ +
+                                "=. -Wl,--build-id -o lib" + name + ".so " + name + ".cpp -L. " + flags;
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return path;
   }
@@ -94,7 +94,8 @@ TEST_F(LibraryDigest, ALibraryOfOursThatALibraryOfOursNeedsCounts) {
   const std::string path_flags = " '-Wl,-rpath,$ORIGIN'";
   library("deep", "int deep() { return 1; }\n");
   library("inner", "int deep(); int inner() { return deep(); }\n", "-ldeep" + path_flags);
-  const std::string path = library("outer", "int inner(); int outer() { return inner(); }\n", "-linner -Wl,-rpath-link,." + path_flags);
+  const std::string path =
+      library("outer", "int inner(); int outer() { return inner(); }\n", "-linner -Wl,-rpath-link,." + path_flags);
   const Digest before = digest(path);
   library("deep", "int deep() { return 2; }\n");
   EXPECT_NE(digest(path), before);
@@ -118,8 +119,8 @@ TEST_F(LibraryDigest, AForeignLibraryCountsByItsBuildId) {
     fs::copy_file(path, folder_ + "/foreign/libother.so", fs::copy_options::overwrite_existing);
   };
   foreign("1", "aabb");
-  const std::string path = library("outer", "int other(); int outer() { return other(); }\n",
-                                   "-lother -Wl,-rpath," + folder_ + "/foreign");
+  const std::string path =
+      library("outer", "int other(); int outer() { return other(); }\n", "-lother -Wl,-rpath," + folder_ + "/foreign");
   const Digest before = digest(path);
   foreign("2", "aabb");
   EXPECT_EQ(digest(path), before);
@@ -144,8 +145,10 @@ TEST_F(LibraryDigest, LibrariesThatNeedEachOtherEnd) {
 }
 
 TEST_F(LibraryDigest, ReadsASectionWithoutLoadingTheLibrary) {
-  const std::string path = library("toy", "__attribute__((section(\"my_tags\"), used)) extern const char tags[8] = \"magic 1\";\n"
-                                          "__attribute__((constructor)) static void crash() { __builtin_trap(); }\n");
+  const std::string path =
+      library("toy",
+              "__attribute__((section(\"my_tags\"), used)) extern const char tags[8] = \"magic 1\";\n"
+              "__attribute__((constructor)) static void crash() { __builtin_trap(); }\n");
   EXPECT_EQ(read_section(path, "my_tags"), std::string("magic 1\0", 8));
   EXPECT_EQ(read_section(path, "no_such_section"), "");
   EXPECT_EQ(read_section(path, ".bss"), "");
@@ -162,7 +165,8 @@ TEST_F(LibraryDigest, SaysWhatIsNoLibrary) {
   written(good.substr(0, 40));
   EXPECT_THROW_TEXT(digest(path), start + "it is truncated: the file has 40 bytes");
   written(good.substr(0, 100));
-  EXPECT_THROW_TEXT(digest(path), start + "it is truncated: expected the program headers at bytes 64 to 120, the file has 100");
+  EXPECT_THROW_TEXT(digest(path),
+                    start + "it is truncated: expected the program headers at bytes 64 to 120, the file has 100");
   std::string arm = good;
   arm[offsetof(Elf64_Ehdr, e_machine)] = static_cast<char>(183);
   written(arm);

@@ -10,8 +10,8 @@
 
 namespace test {
 
-// Another process, which runs a function and is killed at the end if it has not ended. Started while no store is open here: a
-// database must not be carried over a fork.
+// Another process, which runs a function and is killed at the end if it has not ended. Started while no store is open
+// here: a database must not be carried over a fork.
 class Child {
  public:
   explicit Child(const std::function<void()>& body) {

@@ -61,7 +61,8 @@ inline bool equal(const std::vector<engine::OutputRecord>& a, const std::vector<
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].sequence != b[i].sequence || a[i].elements.size() != b[i].elements.size()) return false;
     for (std::size_t j = 0; j < a[i].elements.size(); ++j)
-      if (a[i].elements[j].id != b[i].elements[j].id || a[i].elements[j].identity != b[i].elements[j].identity) return false;
+      if (a[i].elements[j].id != b[i].elements[j].id || a[i].elements[j].identity != b[i].elements[j].identity)
+        return false;
   }
   return true;
 }
@@ -74,7 +75,8 @@ inline std::string object_path(const std::string& folder, const engine::Digest& 
 inline void age(const std::string& path, double seconds) {
   timespec now;
   clock_gettime(CLOCK_REALTIME, &now);
-  const timespec times[2] = {{now.tv_sec - static_cast<time_t>(seconds), 0}, {now.tv_sec - static_cast<time_t>(seconds), 0}};
+  const timespec times[2] = {{now.tv_sec - static_cast<time_t>(seconds), 0},
+                             {now.tv_sec - static_cast<time_t>(seconds), 0}};
   ASSERT_EQ(utimensat(AT_FDCWD, path.c_str(), times, 0), 0) << path;
 }
 

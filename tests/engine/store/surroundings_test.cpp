@@ -54,7 +54,8 @@ TEST_F(BadFolder, AReadOnlyFolderIsNamed) {
     try {
       open();
     } catch (const EngineError& error) {
-      if (std::string(error.what()).starts_with("the store in " + folder_ + " cannot be written (Permission denied: ")) return;
+      if (std::string(error.what()).starts_with("the store in " + folder_ + " cannot be written (Permission denied: "))
+        return;
       throw;
     }
     throw std::runtime_error("opened");
@@ -77,15 +78,18 @@ TEST_F(BadFolder, AnIndexThatIsNoDatabaseIsNamed) {
 
 TEST_F(BadFolder, AnotherFormatIsNamed) {
   open()->publish(record_of(1));
-  // The row of the format as the database holds it: a head of 3 bytes that gives the types (text of 6 bytes, the constant 1),
-  // then the text. Type 8 is the constant 0.
+  // The row of the format as the database holds it: a head of 3 bytes that gives the types (text of 6 bytes, the
+  // constant 1), then the text. Type 8 is the constant 0.
   const std::string index = folder_ + "/index.sqlite";
   std::string bytes = test::content(index);
-  const std::size_t at = bytes.find("\x03\x19\x09" "format");
+  const std::size_t at = bytes.find(
+      "\x03\x19\x09"
+      "format");
   ASSERT_NE(at, std::string::npos);
   bytes[at + 2] = 8;
   test::write(index, bytes);
-  EXPECT_THROW_TEXT(open(), "the store in " + folder_ + " has format 0, this program reads format 1: delete that folder, or choose "
+  EXPECT_THROW_TEXT(open(), "the store in " + folder_ +
+                                " has format 0, this program reads format 1: delete that folder, or choose "
                                 "another with --store");
 }
 
@@ -195,7 +199,8 @@ TEST_F(FullDisk, OfADeadProcessIsReadFromItsJournal) {
     while (file << piece << std::flush) {
     }
   }
-  std::filesystem::resize_file(ballast, std::filesystem::file_size(ballast) - 60'000);  // enough to open, too little to fold
+  std::filesystem::resize_file(ballast,
+                               std::filesystem::file_size(ballast) - 60'000);  // enough to open, too little to fold
   const auto store = open();
   EXPECT_FALSE(std::filesystem::is_empty(folder_ + "/journals"));
   for (int i = 0; i < 300; ++i) ASSERT_TRUE(store->find(record_of(i).key)) << i;
