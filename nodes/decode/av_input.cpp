@@ -35,8 +35,9 @@ std::string av_error_text(int code) {
 
 AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_(std::move(title)) {
   av_log_set_level(AV_LOG_QUIET);  // what matters comes back as error codes
-  const char* expected = kind == Kind::audio ? "a recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"
-                                             : "a video file (MP4, MOV, MPEG, AVI, MKV, WebM)";
+  const char* expected = kind == Kind::audio
+                             ? "a recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"
+                             : "a video file (MP4, MOV, MPEG, AVI, MKV, WebM)";
   // "file:" keeps a path with a colon from being taken for a protocol.
   int code = avformat_open_input(&format_, ("file:" + path).c_str(), nullptr, nullptr);
   if (code < 0) fail(title_, ": cannot be read: ", av_error_text(code), "; expected ", expected);
@@ -47,8 +48,8 @@ AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_
     const AVMediaType type = kind == Kind::audio ? AVMEDIA_TYPE_AUDIO : AVMEDIA_TYPE_VIDEO;
     const int index = av_find_best_stream(format_, type, -1, -1, &decoder, 0);
     if (index == AVERROR_STREAM_NOT_FOUND)
-      fail(title_, ": has no ", kind == Kind::audio ? "sound" : "pictures", ": found ", list_streams(*format_), ", expected ",
-           expected);
+      fail(title_, ": has no ", kind == Kind::audio ? "sound" : "pictures", ": found ", list_streams(*format_),
+           ", expected ", expected);
     if (index < 0 || !decoder) fail(title_, ": no decoder for ", list_streams(*format_), "; expected ", expected);
     stream_ = format_->streams[index];
     for (unsigned i = 0; i < format_->nb_streams; ++i)
@@ -107,7 +108,8 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
 
 double AvInput::time_s(const AVFrame& frame) const {
   if (frame.best_effort_timestamp == AV_NOPTS_VALUE) return -std::numeric_limits<double>::infinity();
-  const double start = format_->start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->start_time) / AV_TIME_BASE;
+  const double start =
+      format_->start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->start_time) / AV_TIME_BASE;
   return static_cast<double>(frame.best_effort_timestamp) * av_q2d(stream_->time_base) - start;
 }
 

@@ -49,14 +49,18 @@ double number(const unsigned char* at, int type, bool normalized) {
       const double x = load<std::int8_t>(at);
       return normalized ? std::max(x / 127, -1.0) : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(at) / (normalized ? 255.0 : 1.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load<std::uint8_t>(at) / (normalized ? 255.0 : 1.0);
     case TINYGLTF_COMPONENT_TYPE_SHORT: {
       const double x = load<std::int16_t>(at);
       return normalized ? std::max(x / 32767, -1.0) : x;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(at) / (normalized ? 65535.0 : 1.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load<std::uint32_t>(at);
-    default: return static_cast<double>(load<float>(at));
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<std::uint16_t>(at) / (normalized ? 65535.0 : 1.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load<std::uint32_t>(at);
+    default:
+      return static_cast<double>(load<float>(at));
   }
 }
 
@@ -81,10 +85,12 @@ std::vector<double> read_numbers(const tinygltf::Model& model, int index, int co
   if (accessor.bufferView >= 0) {
     const auto view = static_cast<std::size_t>(accessor.bufferView);
     const std::size_t stride = view < model.bufferViews.size() ? model.bufferViews[view].byteStride : 0;
-    const Bytes rows = locate(model, accessor.bufferView, accessor.byteOffset, size * width, accessor.count, stride, what);
+    const Bytes rows =
+        locate(model, accessor.bufferView, accessor.byteOffset, size * width, accessor.count, stride, what);
     for (std::size_t i = 0; i < accessor.count; ++i)
       for (std::size_t c = 0; c < width; ++c)
-        out[i * width + c] = number(rows.data + i * rows.stride + c * size, accessor.componentType, accessor.normalized);
+        out[i * width + c] =
+            number(rows.data + i * rows.stride + c * size, accessor.componentType, accessor.normalized);
   }
   if (accessor.sparse.isSparse && accessor.sparse.count > 0) {
     const auto count = static_cast<std::size_t>(accessor.sparse.count);
@@ -92,8 +98,9 @@ std::vector<double> read_numbers(const tinygltf::Model& model, int index, int co
     const std::size_t index_size = size_of(accessor.sparse.indices.componentType, what);
     const Bytes at = locate(model, accessor.sparse.indices.bufferView,
                             static_cast<std::size_t>(accessor.sparse.indices.byteOffset), index_size, count, 0, what);
-    const Bytes rows = locate(model, accessor.sparse.values.bufferView,
-                              static_cast<std::size_t>(accessor.sparse.values.byteOffset), size * width, count, 0, what);
+    const Bytes rows =
+        locate(model, accessor.sparse.values.bufferView, static_cast<std::size_t>(accessor.sparse.values.byteOffset),
+               size * width, count, 0, what);
     for (std::size_t i = 0; i < count; ++i) {
       const double row = number(at.data + i * at.stride, accessor.sparse.indices.componentType, false);
       if (row >= static_cast<double>(accessor.count)) fail(what, ": sets sparse row ", row, " of ", accessor.count);

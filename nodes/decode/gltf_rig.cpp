@@ -46,9 +46,22 @@ Matrix matrix_of(const tinygltf::Node& node) {
   }
   if (node.rotation.size() == 4) {
     const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
-    m = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0,
-         2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
-         2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1};
+    m = {1 - 2 * (y * y + z * z),
+         2 * (x * y + z * w),
+         2 * (x * z - y * w),
+         0,
+         2 * (x * y - z * w),
+         1 - 2 * (x * x + z * z),
+         2 * (y * z + x * w),
+         0,
+         2 * (x * z + y * w),
+         2 * (y * z - x * w),
+         1 - 2 * (x * x + y * y),
+         0,
+         0,
+         0,
+         0,
+         1};
   }
   if (node.scale.size() == 3)
     for (std::size_t c = 0; c < 3; ++c)
@@ -71,9 +84,9 @@ struct Raw {
   bool any_uvs = false, any_colors = false;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Part> parts;
-  std::vector<std::string> shape_names;         // in order of appearance
+  std::vector<std::string> shape_names;           // in order of appearance
   std::vector<std::vector<Vec3f>> shape_offsets;  // of each: one per vertex so far
-  const tinygltf::Value* notes = nullptr;       // extras.facegraph
+  const tinygltf::Value* notes = nullptr;         // extras.facegraph
 };
 
 class Collector {
@@ -95,8 +108,8 @@ class Collector {
 
  private:
   void visit(int index, const Matrix& parent, int depth) {
-    check(index >= 0 && static_cast<std::size_t>(index) < model_.nodes.size(), title_, ": refers to node ", index, " of ",
-          model_.nodes.size());
+    check(index >= 0 && static_cast<std::size_t>(index) < model_.nodes.size(), title_, ": refers to node ", index,
+          " of ", model_.nodes.size());
     check(depth < 256, title_, ": node ", index, " is its own ancestor, expected a tree of nodes");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
     const Matrix world = product(parent, matrix_of(node));
@@ -112,13 +125,15 @@ class Collector {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (position == primitive.attributes.end()) continue;
-      const auto [place, added] = first_of.try_emplace(position->second, static_cast<std::uint32_t>(raw_.points.size()));
+      const auto [place, added] =
+          first_of.try_emplace(position->second, static_cast<std::uint32_t>(raw_.points.size()));
       if (added) add_vertices(mesh, primitive, position->second, world);
       add_triangles(primitive, place->second, static_cast<std::uint32_t>(raw_.points.size()), mesh);
     }
   }
 
-  void add_vertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, int position, const Matrix& world) {
+  void add_vertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, int position,
+                    const Matrix& world) {
     const std::size_t first = raw_.points.size();
     const std::vector<float> points = read_floats(model_, position, 3, title_);
     const std::size_t count = points.size() / 3;
@@ -133,7 +148,8 @@ class Collector {
     }
     if (const auto color = primitive.attributes.find("COLOR_0"); color != primitive.attributes.end()) {
       const auto accessor = static_cast<std::size_t>(std::max(color->second, 0));
-      const int width = accessor < model_.accessors.size() && model_.accessors[accessor].type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
+      const int width =
+          accessor < model_.accessors.size() && model_.accessors[accessor].type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
       const std::vector<float> values = read_floats(model_, color->second, width, title_);
       expect_rows(values.size() / static_cast<std::size_t>(width), count, "colours");
       for (std::size_t v = 0; v < count; ++v)
@@ -172,7 +188,8 @@ class Collector {
     return raw_.shape_offsets.emplace_back();
   }
 
-  void add_triangles(const tinygltf::Primitive& primitive, std::uint32_t first, std::uint32_t end, const tinygltf::Mesh& mesh) {
+  void add_triangles(const tinygltf::Primitive& primitive, std::uint32_t first, std::uint32_t end,
+                     const tinygltf::Mesh& mesh) {
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {
       corners = read_indices(model_, primitive.indices, title_);
@@ -243,14 +260,16 @@ std::vector<std::uint32_t> note_indices(const tinygltf::Value& notes, const char
   return out;
 }
 
-// For every vertex of the file, the vertex of the rig. Our own files say which are copies; in others, vertices at one place that
-// all shapes move alike are one.
+// For every vertex of the file, the vertex of the rig. Our own files say which are copies; in others, vertices at one
+// place that all shapes move alike are one.
 std::vector<std::uint32_t> merge(const Raw& raw, const std::string& title, std::size_t& count) {
   std::vector<std::uint32_t> to(raw.points.size());
   if (raw.notes && raw.notes->Has("vertex_count") && raw.notes->Get("vertex_count").IsNumber()) {
     const double stated = raw.notes->Get("vertex_count").GetNumberAsDouble();
-    const std::size_t own = stated > 0 && stated <= static_cast<double>(to.size()) ? static_cast<std::size_t>(stated) : 0;
-    const std::vector<std::uint32_t> copies = own > 0 ? note_indices(*raw.notes, "copies", own, title) : std::vector<std::uint32_t>();
+    const std::size_t own =
+        stated > 0 && stated <= static_cast<double>(to.size()) ? static_cast<std::size_t>(stated) : 0;
+    const std::vector<std::uint32_t> copies =
+        own > 0 ? note_indices(*raw.notes, "copies", own, title) : std::vector<std::uint32_t>();
     if (own > 0 && own + copies.size() == to.size()) {
       for (std::size_t v = 0; v < to.size(); ++v) to[v] = v < own ? static_cast<std::uint32_t>(v) : copies[v - own];
       count = own;
@@ -288,7 +307,8 @@ std::vector<T> gather(const std::vector<T>& raw, const std::vector<std::uint32_t
 void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig) {
   const std::size_t count = rig.neutral.points_mm.size();
   const std::vector<std::uint32_t> pairs = note_indices(notes, "inner_lips", count, title);
-  check(pairs.size() % 2 == 0, title, " at extras.facegraph.inner_lips: found ", pairs.size(), " vertices, expected pairs");
+  check(pairs.size() % 2 == 0, title, " at extras.facegraph.inner_lips: found ", pairs.size(),
+        " vertices, expected pairs");
   for (std::size_t i = 0; i < pairs.size(); i += 2) rig.inner_lips.push_back({pairs[i], pairs[i + 1]});
   rig.lower_lip = note_indices(notes, "lower_lip", count, title);
   rig.upper_teeth = note_indices(notes, "upper_teeth", count, title);
@@ -297,7 +317,8 @@ void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig
     for (std::size_t i = 0; i < rig.neutral.parts.size(); ++i) {
       const tinygltf::Value& part = notes.Get("parts").Get(static_cast<int>(i));
       if (!part.IsObject()) continue;
-      if (part.Has("name") && part.Get("name").IsString()) rig.neutral.parts[i].name = part.Get("name").Get<std::string>();
+      if (part.Has("name") && part.Get("name").IsString())
+        rig.neutral.parts[i].name = part.Get("name").Get<std::string>();
       if (part.Has("gloss") && part.Get("gloss").IsNumber())
         rig.neutral.parts[i].gloss = static_cast<float>(part.Get("gloss").GetNumberAsDouble());
       rig.neutral.parts[i].visible = true;  // the exporter leaves the others out
@@ -315,9 +336,10 @@ engine::File main_file(const engine::File& file) {
   for (const engine::File::Entry& entry : file.entries())
     if (lower(entry.name).ends_with(".glb") || lower(entry.name).ends_with(".gltf")) found.push_back(&entry);
   if (found.size() != 1)
-    fail(title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", found.size(),
-         " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
-         "glTF file with its buffers");
+    fail(
+        title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", found.size(),
+        " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
+        "glTF file with its buffers");
   return engine::File::at(found.front()->path);
 }
 
@@ -329,7 +351,8 @@ tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
     return !static_cast<const engine::File*>(user)->find(name).empty();
   };
   callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name,
+                               void* user) {
     try {
       const std::string path = static_cast<const engine::File*>(user)->find(name);
       if (path.empty()) return false;
@@ -341,7 +364,9 @@ tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
       return false;
     }
   };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
   return callbacks;
 }
 
@@ -351,7 +376,8 @@ tinygltf::Model load(const engine::File& given, const engine::File& main, const 
   const bool binary = bytes.starts_with("glTF");
   const std::size_t text = bytes.find_first_not_of(" \t\r\n");
   if (!binary && (text == std::string::npos || (bytes[text] != '{' && !bytes.starts_with("\xEF\xBB\xBF"))))
-    fail(title, ": is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an ICT-FaceKit folder, or a GLB or glTF "
+    fail(title,
+         ": is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an ICT-FaceKit folder, or a GLB or glTF "
          "file with morph targets");
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_for(given));

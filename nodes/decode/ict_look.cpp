@@ -24,9 +24,9 @@ struct Look {
   bool visible;
 };
 
-// The sclera is a closed shell with the cornea bulging from it: it is what shows, and the ball with the iris inside is hidden
-// by it. Occlusion, blend and fluid shells are for renderers with transparency, and so are lash cards: solid, they look like
-// tape. Only the row of the upper cards at the lid stays, as a thin dark line.
+// The sclera is a closed shell with the cornea bulging from it: it is what shows, and the ball with the iris inside is
+// hidden by it. Occlusion, blend and fluid shells are for renderers with transparency, and so are lash cards: solid,
+// they look like tape. Only the row of the upper cards at the lid stays, as a thin dark line.
 constexpr Look looks[] = {
     {"M_Face", "face", skin, 0.25f, true},
     {"M_BackHead", "head", skin, 0.2f, true},
@@ -105,7 +105,8 @@ void sort_polygons_into_parts(const Obj& obj, Mesh& mesh) {
     const std::size_t f = order[i];
     if (i == 0 || look[f] != look[order[i - 1]]) {
       const Look& l = looks[look[f]];
-      sorted.parts.push_back({std::string(l.part), static_cast<std::uint32_t>(i), 0, l.albedo_srgb, l.gloss, l.visible});
+      sorted.parts.push_back(
+          {std::string(l.part), static_cast<std::uint32_t>(i), 0, l.albedo_srgb, l.gloss, l.visible});
     }
     ++sorted.parts.back().polygon_count;
     for (std::uint32_t c = mesh.polygon_starts[f]; c < mesh.polygon_starts[f + 1]; ++c) {
@@ -171,7 +172,8 @@ void tint_lips_and_brows(Mesh& mesh) {
     if (!ict_face.contains(v)) continue;
     for (const auto& line : brows) {
       const float off = distance_to_line({p[0], p[1] + 1.0f, p[2]}, line);
-      if (off < 5) mesh.colors_srgb[v] = mix(mesh.colors_srgb[v], over(brow, skin), 0.75f * (1 - smooth_step(1.5f, 5, off)));
+      if (off < 5)
+        mesh.colors_srgb[v] = mix(mesh.colors_srgb[v], over(brow, skin), 0.75f * (1 - smooth_step(1.5f, 5, off)));
     }
   }
 }

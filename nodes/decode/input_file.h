@@ -14,8 +14,8 @@ std::string read_bytes(const engine::File& file);
 // The same for a path; `title` is what messages call it.
 std::string read_bytes_at(const std::string& path, const std::string& title);
 
-// The first bytes of a file on disk, at most `count`, and its size. Throws, naming the file, where it cannot be read, is a
-// folder, or is empty; `expected` says what would serve.
+// The first bytes of a file on disk, at most `count`, and its size. Throws, naming the file, where it cannot be read,
+// is a folder, or is empty; `expected` says what would serve.
 struct FileStart {
   std::string bytes;
   std::uint64_t size = 0;

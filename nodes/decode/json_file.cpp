@@ -31,12 +31,12 @@ std::string describe_json(const nlohmann::ordered_json& value) {
   return text.size() <= 40 ? text : std::string(value.type_name()) + " " + text.substr(0, 36) + "...";
 }
 
-const nlohmann::ordered_json& json_member(const nlohmann::ordered_json& object, const char* key, const std::string& title,
-                                          const std::string& pointer) {
+const nlohmann::ordered_json& json_member(const nlohmann::ordered_json& object, const char* key,
+                                          const std::string& title, const std::string& pointer) {
   const bool present = object.is_object() && object.contains(key);
   if (!present)
-    fail(title, pointer.empty() ? "" : " at ", pointer, ": found ", describe_json(object), ", expected an object with \"", key,
-         "\"");
+    fail(title, pointer.empty() ? "" : " at ", pointer, ": found ", describe_json(object),
+         ", expected an object with \"", key, "\"");
   return object[key];
 }
 
@@ -52,7 +52,8 @@ long json_index(const nlohmann::ordered_json& value, const std::string& title, c
   return value.get<long>();
 }
 
-void json_xy(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer, double& x, double& y) {
+void json_xy(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer, double& x,
+             double& y) {
   if (!value.is_array() || value.size() != 2)
     fail(title, " at ", pointer, ": found ", describe_json(value), ", expected [x, y] in pixels");
   x = json_number(value[0], title, pointer + "/0");

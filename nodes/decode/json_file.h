@@ -14,8 +14,8 @@ nlohmann::ordered_json read_json(const engine::File& file);
 std::string describe_json(const nlohmann::ordered_json& value);
 
 // The member of an object; throws "FILE at /pointer: found ..., expected an object with \"key\"".
-const nlohmann::ordered_json& json_member(const nlohmann::ordered_json& object, const char* key, const std::string& title,
-                                          const std::string& pointer);
+const nlohmann::ordered_json& json_member(const nlohmann::ordered_json& object, const char* key,
+                                          const std::string& title, const std::string& pointer);
 
 // A finite number, or "FILE at /pointer: found ..., expected a number".
 double json_number(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer);
@@ -24,6 +24,7 @@ double json_number(const nlohmann::ordered_json& value, const std::string& title
 long json_index(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer);
 
 // A pair of numbers.
-void json_xy(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer, double& x, double& y);
+void json_xy(const nlohmann::ordered_json& value, const std::string& title, const std::string& pointer, double& x,
+             double& y);
 
 }  // namespace face::decode

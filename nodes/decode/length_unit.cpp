@@ -8,10 +8,14 @@ namespace face::decode {
 
 float mm_per_unit(LengthUnit unit, const std::vector<Vec3f>& points) {
   switch (unit) {
-    case LengthUnit::mm: return 1;
-    case LengthUnit::cm: return 10;
-    case LengthUnit::m: return 1000;
-    case LengthUnit::automatic: break;
+    case LengthUnit::mm:
+      return 1;
+    case LengthUnit::cm:
+      return 10;
+    case LengthUnit::m:
+      return 1000;
+    case LengthUnit::automatic:
+      break;
   }
   float extent = 0;
   for (std::size_t k = 0; k < 3; ++k) {

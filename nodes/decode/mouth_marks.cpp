@@ -15,10 +15,10 @@ namespace {
 // What the searches share.
 struct Mouth {
   const Mesh& mesh;
-  std::vector<float> jaw;                 // motion of every vertex under jawOpen, as a share of the largest of its piece
+  std::vector<float> jaw;  // motion of every vertex under jawOpen, as a share of the largest of its piece
   std::vector<Vec3f> normals;
   std::vector<std::uint32_t> piece;
-  std::uint32_t face = 0;                 // the piece that lips are on
+  std::uint32_t face = 0;  // the piece that lips are on
 };
 
 Mouth examine(const Rig& rig) {
@@ -42,8 +42,8 @@ Mouth examine(const Rig& rig) {
 }
 
 // Where the lips meet: among pairs of one piece of which jawOpen moves one vertex and leaves the other, that face each
-// other and are close at rest, those in front. The first pair is the one nearest to the middle, then its neighbours at a quarter of the
-// mouth's width on either side.
+// other and are close at rest, those in front. The first pair is the one nearest to the middle, then its neighbours at
+// a quarter of the mouth's width on either side.
 std::vector<LipPair> find_inner_lips(const Mouth& mouth) {
   const std::vector<Vec3f>& points = mouth.mesh.points_mm;
   std::vector<std::uint32_t> still, moving;
@@ -77,8 +77,9 @@ std::vector<LipPair> find_inner_lips(const Mouth& mouth) {
     if (best) candidates.push_back(*best);
   }
   if (candidates.empty()) return {};
-  const auto nearest = std::min_element(candidates.begin(), candidates.end(),
-                                        [](const Candidate& a, const Candidate& b) { return a.distance_mm < b.distance_mm; });
+  const auto nearest =
+      std::min_element(candidates.begin(), candidates.end(),
+                       [](const Candidate& a, const Candidate& b) { return a.distance_mm < b.distance_mm; });
   const float limit = nearest->distance_mm + 2.0f;
   std::erase_if(candidates, [&](const Candidate& c) { return c.distance_mm > limit; });
 
@@ -116,17 +117,19 @@ std::vector<std::uint32_t> find_lower_lip(const Mouth& mouth, const std::vector<
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     if (mouth.piece[v] != mouth.face || mouth.jaw[v] < 0.3f) continue;
     float off = distance(points[v], line.front());
-    for (std::size_t i = 1; i < line.size(); ++i) off = std::min(off, distance_to_segment(points[v], line[i - 1], line[i]));
+    for (std::size_t i = 1; i < line.size(); ++i)
+      off = std::min(off, distance_to_segment(points[v], line[i - 1], line[i]));
     if (off <= rim_mm) rim.push_back(v);
   }
   return rim;
 }
 
-// The upper incisors as the lower lip may meet them: vertices of parts named after teeth that jawOpen leaves in place, that
-// look forward or down, within 16 mm of the midline and 10 mm of their edges (above are gums and roots).
+// The upper incisors as the lower lip may meet them: vertices of parts named after teeth that jawOpen leaves in place,
+// that look forward or down, within 16 mm of the midline and 10 mm of their edges (above are gums and roots).
 std::vector<std::uint32_t> find_upper_teeth(const Mouth& mouth, const std::vector<LipPair>& pairs) {
   constexpr float half_width_mm = 16, crown_mm = 10;
-  const std::vector<bool> teeth = vertices_of_parts(mouth.mesh, "teeth"), tooth = vertices_of_parts(mouth.mesh, "tooth");
+  const std::vector<bool> teeth = vertices_of_parts(mouth.mesh, "teeth"),
+                          tooth = vertices_of_parts(mouth.mesh, "tooth");
   const std::vector<Vec3f>& points = mouth.mesh.points_mm;
   float middle = 0;
   for (const LipPair& pair : pairs) middle += points[pair.upper][0] / static_cast<float>(pairs.size());

@@ -39,7 +39,8 @@ class Reader {
   }
   bool takes(std::string_view keyword) {
     const auto size = static_cast<std::ptrdiff_t>(keyword.size());
-    if (stop_ - at_ <= size || std::memcmp(at_, keyword.data(), keyword.size()) != 0 || !is_space(at_[size])) return false;
+    if (stop_ - at_ <= size || std::memcmp(at_, keyword.data(), keyword.size()) != 0 || !is_space(at_[size]))
+      return false;
     at_ += size;
     skip_spaces();
     return true;

@@ -25,10 +25,10 @@ struct Obj {
   std::vector<ObjMaterial> materials;         // by first polygon
 };
 
-// Reads v, vt, f and usemtl lines (Wavefront, Advanced Visualizer manual, appendix B1: Object Files); others are skipped.
-// Written here because blend shapes need the file's own vertex order: OpenMesh splits and drops non-manifold vertices and
-// reads streams, which is too slow for a rig of 54 files.
-// name: what messages call the file. Throws on malformed numbers and indices out of range, with line, found and expected.
+// Reads v, vt, f and usemtl lines (Wavefront, Advanced Visualizer manual, appendix B1: Object Files); others are
+// skipped. Written here because blend shapes need the file's own vertex order: OpenMesh splits and drops non-manifold
+// vertices and reads streams, which is too slow for a rig of 54 files. name: what messages call the file. Throws on
+// malformed numbers and indices out of range, with line, found and expected.
 Obj read_obj(std::string_view text, const std::string& name);
 
 }  // namespace face::decode

@@ -38,8 +38,8 @@ std::uint32_t little_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-// libsndfile reads a WAV whose samples end early without a word. Sizes of 0 and 2^32 - 1 are those of recorders that write to a
-// pipe and cannot go back: the samples then go to the end of the file.
+// libsndfile reads a WAV whose samples end early without a word. Sizes of 0 and 2^32 - 1 are those of recorders that
+// write to a pipe and cannot go back: the samples then go to the end of the file.
 void check_wav_is_whole(const FileStart& start, const std::string& title) {
   const std::string& bytes = start.bytes;
   if (bytes.size() < 12 || !bytes.starts_with("RIFF") || bytes.compare(8, 4, "WAVE") != 0) return;
@@ -48,7 +48,8 @@ void check_wav_is_whole(const FileStart& start, const std::string& title) {
     if (bytes.compare(at, 4, "data") == 0) {
       const bool open_ended = size == 0 || size >= 0x7FFFF000;
       if (!open_ended && size > left)
-        fail(title, ": is truncated: found ", left, " bytes of samples from byte ", at + 8, ", its header promises ", size);
+        fail(title, ": is truncated: found ", left, " bytes of samples from byte ", at + 8, ", its header promises ",
+             size);
       return;
     }
     at += 8 + size + (size & 1);

@@ -16,10 +16,11 @@ struct ReadAudioResult {
   double source_channels = 0;
 };
 
-// Reads a recording, or the sound of a video file: WAV, AIFF, FLAC, Ogg and more by libsndfile, the rest (M4A, MP4, MPEG, ...)
-// by FFmpeg. Any rate, depth and number of channels; channels are averaged, those without any signal do not count (speech
-// on one side of a stereo file, or in the centre of 5.1, keeps its level). Floating-point files above full scale are
-// scaled down to it. Throws, naming the file, where it is missing, empty, truncated or of a kind that nothing reads.
+// Reads a recording, or the sound of a video file: WAV, AIFF, FLAC, Ogg and more by libsndfile, the rest (M4A, MP4,
+// MPEG, ...) by FFmpeg. Any rate, depth and number of channels; channels are averaged, those without any signal do not
+// count (speech on one side of a stereo file, or in the centre of 5.1, keeps its level). Floating-point files above
+// full scale are scaled down to it. Throws, naming the file, where it is missing, empty, truncated or of a kind that
+// nothing reads.
 ReadAudioResult read_audio(const engine::File& file, const ReadAudioOptions& options = {});
 
 }  // namespace face::decode

@@ -28,8 +28,8 @@ ReadLandmarksResult read_landmarks(const engine::File& file) {
                         point.x_px <= static_cast<double>(result.image_width_px) - 0.5 &&
                         point.y_px <= static_cast<double>(result.image_height_px) - 0.5;
     if (!inside)
-      fail(title, " at /points/", name, ": found (", point.x_px, ", ", point.y_px, "), expected a point inside the image of ",
-           result.image_width_px, " x ", result.image_height_px, " pixels");
+      fail(title, " at /points/", name, ": found (", point.x_px, ", ", point.y_px,
+           "), expected a point inside the image of ", result.image_width_px, " x ", result.image_height_px, " pixels");
     result.landmarks.points.push_back(point);
   }
   return result;

@@ -8,8 +8,8 @@
 namespace face::decode {
 
 struct ReadLandmarksResult {
-  Landmarks landmarks;               // in the file's order
-  std::int64_t image_width_px = 0;   // of the image they were placed on
+  Landmarks landmarks;              // in the file's order
+  std::int64_t image_width_px = 0;  // of the image they were placed on
   std::int64_t image_height_px = 0;
 };
 

@@ -6,8 +6,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.landmarks", &read_landmarks, version{1},
-     doc{"Reads named points that were placed on an image."},
+NODE("decode.landmarks", &read_landmarks, version{1}, doc{"Reads named points that were placed on an image."},
      input{"file", "JSON: {\"image_size\": [width, height], \"points\": {\"name\": [x, y]}}"},
      output("landmarks", &ReadLandmarksResult::landmarks, "The points, in the file's order"),
      output("image_width_px", &ReadLandmarksResult::image_width_px, "Width of the image they were placed on"),

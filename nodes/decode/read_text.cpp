@@ -54,8 +54,11 @@ std::string from_utf16(const std::string& bytes, bool big_endian, const std::str
 std::size_t find_bad_utf8(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<std::uint8_t>(text[i]);
-    const std::size_t size = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    const std::size_t size = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
     if (size == 0 || i + size > text.size()) return i;
     std::uint32_t code = size == 1 ? lead : lead & (0xFFu >> (size + 1));
     for (std::size_t k = 1; k < size; ++k) {
@@ -81,8 +84,8 @@ std::string read_text(const engine::File& file) {
   if (const std::size_t bad = find_bad_utf8(text); bad != std::string::npos) {
     char hex[8];
     std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(static_cast<std::uint8_t>(text[bad])));
-    fail(title, " line ", 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n'), ": found byte ",
-         hex, " at byte ", bad, ", expected UTF-8 text");
+    fail(title, " line ", 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n'),
+         ": found byte ", hex, " at byte ", bad, ", expected UTF-8 text");
   }
   constexpr const char* white = " \t\r\n\v\f";
   const std::size_t first = text.find_first_not_of(white);

@@ -23,18 +23,21 @@ namespace {
 class RgbConverter {
  public:
   explicit RgbConverter(const AVFrame& frame)
-      : width_(frame.width), height_(frame.height), format_(frame.format),
+      : width_(frame.width),
+        height_(frame.height),
+        format_(frame.format),
         context_(sws_getContext(width_, height_, static_cast<AVPixelFormat>(format_), width_, height_, AV_PIX_FMT_RGB24,
                                 SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP,
                                 nullptr, nullptr, nullptr),
                  &sws_freeContext) {
     if (!context_) return;
     // Unmarked video is BT.709 from 720 lines on, BT.601 below, as every player assumes.
-    const bool hd = frame.colorspace == AVCOL_SPC_BT709 || (frame.colorspace == AVCOL_SPC_UNSPECIFIED && height_ >= 720);
+    const bool hd =
+        frame.colorspace == AVCOL_SPC_BT709 || (frame.colorspace == AVCOL_SPC_UNSPECIFIED && height_ >= 720);
     const int space = hd ? SWS_CS_ITU709 : frame.colorspace == AVCOL_SPC_BT2020_NCL ? SWS_CS_BT2020 : SWS_CS_ITU601;
     const int full = frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0;
-    sws_setColorspaceDetails(context_.get(), sws_getCoefficients(space), full, sws_getCoefficients(SWS_CS_DEFAULT), 1, 0,
-                             1 << 16, 1 << 16);
+    sws_setColorspaceDetails(context_.get(), sws_getCoefficients(space), full, sws_getCoefficients(SWS_CS_DEFAULT), 1,
+                             0, 1 << 16, 1 << 16);
   }
   bool usable() const { return context_ != nullptr; }
   bool fits(const AVFrame& frame) const {
@@ -99,7 +102,8 @@ ReadVideoResult read_video(const engine::File& file, engine::SeqWriter<Image>& f
       check(converter->usable(), title, ": its pixel format cannot be converted to RGB");
     }
     if (!converter->fits(frame))
-      fail(title, ": frame ", time_s.size(), " is ", frame.width, " x ", frame.height, ", expected the size of the first");
+      fail(title, ": frame ", time_s.size(), " is ", frame.width, " x ", frame.height,
+           ", expected the size of the first");
     Image image = converter->convert(frame);
     for (int i = 0; i < turns; ++i) image = turn_clockwise(image);
     // A missing or repeated time stamp is taken for one frame after the last.
@@ -110,7 +114,8 @@ ReadVideoResult read_video(const engine::File& file, engine::SeqWriter<Image>& f
     if (stated_duration_s > 0) progress.report(std::min(1.0, time_s.back() / stated_duration_s));
   });
   check(!time_s.empty(), title, ": holds no frames, expected a video file");
-  result.rate_hz = time_s.size() > 1 ? static_cast<double>(time_s.size() - 1) / (time_s.back() - time_s.front()) : 1 / step_s;
+  result.rate_hz =
+      time_s.size() > 1 ? static_cast<double>(time_s.size() - 1) / (time_s.back() - time_s.front()) : 1 / step_s;
   result.timeline.duration_s = time_s.back() + 1 / result.rate_hz;
   if (result.timeline.duration_s < 0.9 * stated_duration_s - 0.5)
     fail(title, ": is truncated: found ", result.timeline.duration_s, " s of pictures, its header promises ",

@@ -24,8 +24,8 @@ std::vector<float> resample(const std::vector<float>& samples, double from_hz, d
   const auto release = [](SwrContext* context) { swr_free(&context); };
   const std::unique_ptr<SwrContext, decltype(release)> swr(made, release);
   if (code >= 0) {
-    av_opt_set_int(swr.get(), "filter_size", 64, 0);   // taps per phase at the lower rate
-    av_opt_set_double(swr.get(), "cutoff", 0.95, 0);   // of the lower Nyquist frequency
+    av_opt_set_int(swr.get(), "filter_size", 64, 0);  // taps per phase at the lower rate
+    av_opt_set_double(swr.get(), "cutoff", 0.95, 0);  // of the lower Nyquist frequency
     av_opt_set_int(swr.get(), "exact_rational", 1, 0);
     av_opt_set_int(swr.get(), "phase_shift", 10, 0);
     code = swr_init(swr.get());

@@ -86,11 +86,13 @@ ShapeNames read_shape_names(const engine::File& file) {
   ShapeNames names{title_of(file), {}};
   const nlohmann::ordered_json json = read_json(file);
   if (!json.is_object())
-    fail(names.title, ": found ", describe_json(json), ", expected an object of shape names and ARKit's names for them");
+    fail(names.title, ": found ", describe_json(json),
+         ", expected an object of shape names and ARKit's names for them");
   for (const auto& [name, value] : json.items()) {
     const std::string arkit = value.is_string() ? value.get<std::string>() : std::string();
     if (arkit_index(arkit) == arkit_count)
-      fail(names.title, " at /", name, ": found ", describe_json(value), ", expected one of ARKit's 52 names (jawOpen, ...)");
+      fail(names.title, " at /", name, ": found ", describe_json(value),
+           ", expected one of ARKit's 52 names (jawOpen, ...)");
     names.to_arkit[name] = arkit;
   }
   return names;
@@ -116,7 +118,8 @@ void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offset
 void ShapeCollector::finish(const std::string& title, Rig& rig) const {
   for (const auto& [name, arkit] : names_.to_arkit)
     if (!seen_.contains(name))
-      fail(names_.title, " at /", name, ": ", title, " has no such shape. Found ", seen_.empty() ? "no shapes" : joined(seen_));
+      fail(names_.title, " at /", name, ": ", title, " has no such shape. Found ",
+           seen_.empty() ? "no shapes" : joined(seen_));
   std::vector<std::string> found, lacking;
   for (const Shape& shape : shapes_) found.push_back(shape.name);
   for (const std::string_view needed : needed_shapes)

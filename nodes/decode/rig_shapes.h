@@ -16,9 +16,10 @@ namespace face::decode {
 inline constexpr std::string_view needed_shapes[] = {"jawOpen",     "mouthClose",     "mouthFunnel",
                                                      "mouthPucker", "mouthRollLower", "mouthRollUpper"};
 
-// A rig's name of a shape in ARKit's spelling: case, '_' and prefixes up to the last '.' ("head_blendShapes.") do not count,
-// _L/_R/_Left/_Right at the end are Left/Right. A name that is none of ARKit's comes back with only its side spelled out.
-// A side of an ARKit shape that has none (browInnerUp_L, cheekPuff_R) is that shape: its halves are added up.
+// A rig's name of a shape in ARKit's spelling: case, '_' and prefixes up to the last '.' ("head_blendShapes.") do not
+// count, _L/_R/_Left/_Right at the end are Left/Right. A name that is none of ARKit's comes back with only its side
+// spelled out. A side of an ARKit shape that has none (browInnerUp_L, cheekPuff_R) is that shape: its halves are added
+// up.
 std::string arkit_spelling(std::string_view name);
 
 // Names of a file's shapes and what ARKit calls them.
@@ -39,8 +40,8 @@ class ShapeCollector {
   // offsets_mm: one per vertex. Several of one name are added up.
   void add(std::string_view name, const std::vector<Vec3f>& offsets_mm);
 
-  // Fills rig.shapes and rig.missing. Throws where a needed shape is absent, or a name to be mapped was not seen; `title`
-  // names the file.
+  // Fills rig.shapes and rig.missing. Throws where a needed shape is absent, or a name to be mapped was not seen;
+  // `title` names the file.
   void finish(const std::string& title, Rig& rig) const;
 
  private:

@@ -34,7 +34,8 @@ double product(const std::vector<float>& a, const std::vector<float>& b) {
 float Grey::at(double x, double y) const {
   x = std::clamp(x, 0.0, static_cast<double>(width - 1));
   y = std::clamp(y, 0.0, static_cast<double>(height - 1));
-  const int x0 = std::min(static_cast<int>(x), std::max(width - 2, 0)), y0 = std::min(static_cast<int>(y), std::max(height - 2, 0));
+  const int x0 = std::min(static_cast<int>(x), std::max(width - 2, 0)),
+            y0 = std::min(static_cast<int>(y), std::max(height - 2, 0));
   const int x1 = std::min(x0 + 1, width - 1), y1 = std::min(y0 + 1, height - 1);
   const auto u = static_cast<float>(x - x0), v = static_cast<float>(y - y0);
   const auto pixel = [&](int px, int py) { return values[static_cast<std::size_t>(py * width + px)]; };

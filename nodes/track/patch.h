@@ -32,8 +32,8 @@ struct PatchMatch {
 };
 
 // Moves a patch over an image from a starting place until it fits best, to sub-pixel accuracy: inverse compositional
-// Gauss-Newton on the translation, blind to gain and offset of brightness (Baker and Matthews, Lucas-Kanade 20 Years On,
-// IJCV 2004, section 3.2; the patch is normalised as in its section 5 on gain and bias).
+// Gauss-Newton on the translation, blind to gain and offset of brightness (Baker and Matthews, Lucas-Kanade 20 Years
+// On, IJCV 2004, section 3.2; the patch is normalised as in its section 5 on gain and bias).
 PatchMatch align_patch(const std::vector<float>& patch, int side_px, const Grey& grey, double x_px, double y_px);
 
 // Looks for a patch at every pixel within radius_px of a place, then aligns it.

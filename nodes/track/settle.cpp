@@ -13,8 +13,8 @@ namespace {
 
 using Place = std::complex<double>;
 
-// The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two dimensions
-// as complex numbers), applied to all. A translation where fewer than two are seen.
+// The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two
+// dimensions as complex numbers), applied to all. A translation where fewer than two are seen.
 std::vector<Place> carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings) {
   Place start_mean = 0, seen_mean = 0, product = 0;
   double count = 0, square = 0;
@@ -66,7 +66,8 @@ std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>
 
   // Unknowns: offsets from the layout, x then y of each point.
   const auto size = static_cast<Eigen::Index>(2 * count);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(size, size) * 1e-9;  // a point with neither sighting nor neighbour: the layout's
+  Eigen::MatrixXd a =
+      Eigen::MatrixXd::Identity(size, size) * 1e-9;  // a point with neither sighting nor neighbour: the layout's
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   for (std::size_t i = 0; i < count; ++i) {
     const auto x = static_cast<Eigen::Index>(2 * i), y = x + 1;

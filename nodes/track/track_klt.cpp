@@ -30,7 +30,8 @@ std::vector<float> patch_of(const Image& patches, std::size_t index, int side_px
   std::vector<float> patch;
   for (int y = 0; y < side_px; ++y)
     for (int x = 0; x < side_px; ++x)
-      patch.push_back(patches.pixels[static_cast<std::size_t>(y * patches.width + static_cast<int>(index) * side_px + x)]);
+      patch.push_back(
+          patches.pixels[static_cast<std::size_t>(y * patches.width + static_cast<int>(index) * side_px + x)]);
   return patch;
 }
 
@@ -42,26 +43,26 @@ void keep_patch(const Grey& grey, const Landmark& point, std::size_t index, int 
           static_cast<std::uint8_t>(std::lround(patch[static_cast<std::size_t>(y * side_px + x)]));
 }
 
-void check_inputs(const engine::Window<Image>& frames, const Landmarks& start, const engine::Prior<TrackKltResult>& prior,
-                  int side_px) {
+void check_inputs(const engine::Window<Image>& frames, const Landmarks& start,
+                  const engine::Prior<TrackKltResult>& prior, int side_px) {
   const Image& frame = frames.centre();
   check(side_px % 2 == 1, "window_px is ", side_px, ", expected an odd number");
   for (const Landmark& point : start.points)
     if (!inside(point.x_px, point.y_px, frame.width, frame.height))
-      fail("start point ", point.name, " is at (", point.x_px, ", ", point.y_px, "), outside the frame of ", frame.width, " x ",
-           frame.height, " pixels");
+      fail("start point ", point.name, " is at (", point.x_px, ", ", point.y_px, "), outside the frame of ",
+           frame.width, " x ", frame.height, " pixels");
   if (!prior) return;
   check(frames.centre_index() > 0, "frames has no previous frame although there is a previous result");
   const Image& previous = frames[frames.centre_index() - 1];
-  check(previous.width == frame.width && previous.height == frame.height, "the frame is ", frame.width, " x ", frame.height,
-        " pixels, the previous one ", previous.width, " x ", previous.height);
-  check(prior->landmarks.points.size() == start.points.size(), "the previous result has ", prior->landmarks.points.size(),
-        " points, start has ", start.points.size());
+  check(previous.width == frame.width && previous.height == frame.height, "the frame is ", frame.width, " x ",
+        frame.height, " pixels, the previous one ", previous.width, " x ", previous.height);
+  check(prior->landmarks.points.size() == start.points.size(), "the previous result has ",
+        prior->landmarks.points.size(), " points, start has ", start.points.size());
 }
 
-// How surely a place can be told by the picture around it: the mean outer product of its gradients over the variance of grey
-// values between frames, as eigenvalues e + e^2. The square makes strong contrast all but decide over the springs, and leaves weak
-// contrast to them.
+// How surely a place can be told by the picture around it: the mean outer product of its gradients over the variance of
+// grey values between frames, as eigenvalues e + e^2. The square makes strong contrast all but decide over the springs,
+// and leaves weak contrast to them.
 void add_information(const Grey& grey, int side_px, Sighting& place) {
   constexpr double grey_noise = 5;  // 8-bit steps; compressed video
   const double half = (side_px - 1) / 2.0;
@@ -144,8 +145,8 @@ std::vector<Sighting> follow(const Grey& previous, const Grey& current, const La
   return to;
 }
 
-// Moves points onto their own patches where these are seen again. Fades in, so that a patch that comes and goes does not make
-// the point jump. Rigid points of which the patch is not seen are forgotten.
+// Moves points onto their own patches where these are seen again. Fades in, so that a patch that comes and goes does
+// not make the point jump. Rigid points of which the patch is not seen are forgotten.
 void anchor(const Grey& current, const TrackKltResult& before, const TrackKltOptions& options,
             std::vector<Sighting>& sightings) {
   const int side = static_cast<int>(options.window_px);
@@ -153,7 +154,8 @@ void anchor(const Grey& current, const TrackKltResult& before, const TrackKltOpt
     Sighting& seen = sightings[i];
     if (!is_seen(seen)) continue;
     const PatchMatch match = align_patch(patch_of(before.patches, i, side), side, current, seen.x_px, seen.y_px);
-    const bool near = match.converged && std::hypot(match.x_px - seen.x_px, match.y_px - seen.y_px) <= options.max_anchor_px;
+    const bool near =
+        match.converged && std::hypot(match.x_px - seen.x_px, match.y_px - seen.y_px) <= options.max_anchor_px;
     const auto& name = before.landmarks.points[i].name;
     const bool rigid = std::find(options.rigid.begin(), options.rigid.end(), name) != options.rigid.end();
     if (rigid && !(near && match.likeness >= options.min_likeness)) forget(seen);
@@ -196,8 +198,8 @@ void track(const Grey& previous, const Grey& current, const Landmarks& layout, c
   }
 }
 
-// Puts points where somebody says that they are. The layout learns by how much that differs from where the neighbours would
-// have put the point, so that the springs do not pull it back afterwards.
+// Puts points where somebody says that they are. The layout learns by how much that differs from where the neighbours
+// would have put the point, so that the springs do not pull it back afterwards.
 void correct(const Landmarks& correction, const Grey& current, const TrackKltOptions& options, TrackKltResult& result) {
   const int side_px = static_cast<int>(options.window_px);
   std::vector<Sighting> others;
@@ -209,11 +211,12 @@ void correct(const Landmarks& correction, const Grey& current, const TrackKltOpt
   const std::vector<Sighting> expected = settle(result.layout, others, options.stiffness);
   for (const Landmark& fixed : correction.points) {
     auto& points = result.landmarks.points;
-    const auto point = std::find_if(points.begin(), points.end(), [&](const Landmark& p) { return p.name == fixed.name; });
+    const auto point =
+        std::find_if(points.begin(), points.end(), [&](const Landmark& p) { return p.name == fixed.name; });
     if (point == points.end()) fail("a correction names the point ", fixed.name, ", which start does not have");
     if (!inside(fixed.x_px, fixed.y_px, current.width, current.height))
-      fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ", current.width,
-           " x ", current.height, " pixels");
+      fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ",
+           current.width, " x ", current.height, " pixels");
     *point = {fixed.name, fixed.x_px, fixed.y_px, true};
     const auto index = static_cast<std::size_t>(point - points.begin());
     keep_patch(current, *point, index, side_px, result.patches);

@@ -23,7 +23,8 @@ engine::Seq<Landmarks> corrections(const std::string& json) {
 }  // namespace
 
 TEST(ReadLandmarks, KeepsTheFilesOrder) {
-  const auto result = landmarks(R"({"image_size": [360, 288], "points": {"z": [1.5, 2], "a": [0, 0], "m": [359.5, 287.5]}})");
+  const auto result =
+      landmarks(R"({"image_size": [360, 288], "points": {"z": [1.5, 2], "a": [0, 0], "m": [359.5, 287.5]}})");
   ASSERT_EQ(result.landmarks.points.size(), 3u);
   EXPECT_EQ(result.landmarks.points[0].name, "z");
   EXPECT_EQ(result.landmarks.points[0].x_px, 1.5);
@@ -42,17 +43,20 @@ TEST(ReadLandmarks, ReadsTheEighteenPointsOfAClip) {
 }
 
 TEST(ReadLandmarks, RejectsAPointOutsideTheImage) {
-  EXPECT_THROW_TEXT(landmarks(R"({"image_size": [360, 288], "points": {"lip_3": [400, 214.5]}})"),
-                    "points.json at /points/lip_3: found (400, 214.5), expected a point inside the image of 360 x 288 pixels");
-  EXPECT_THROW_TEXT(landmarks(R"({"image_size": [360, 288], "points": {"chin": [40, -1]}})"),
-                    "points.json at /points/chin: found (40, -1), expected a point inside the image of 360 x 288 pixels");
+  EXPECT_THROW_TEXT(
+      landmarks(R"({"image_size": [360, 288], "points": {"lip_3": [400, 214.5]}})"),
+      "points.json at /points/lip_3: found (400, 214.5), expected a point inside the image of 360 x 288 pixels");
+  EXPECT_THROW_TEXT(
+      landmarks(R"({"image_size": [360, 288], "points": {"chin": [40, -1]}})"),
+      "points.json at /points/chin: found (40, -1), expected a point inside the image of 360 x 288 pixels");
 }
 
 TEST(ReadLandmarks, RejectsWhatIsNoLandmarkFile) {
   EXPECT_THROW_TEXT(landmarks(""), "points.json: is empty, expected JSON");
   EXPECT_THROW_TEXT(landmarks("{\"image_size\": [360,\n 288], \"points\" }"),
                     "points.json line 2 column 17: is not JSON: found '}' where the text cannot go on");
-  EXPECT_THROW_TEXT(landmarks("{\"points\": {}}"), "points.json: found {\"points\":{}}, expected an object with \"image_size\"");
+  EXPECT_THROW_TEXT(landmarks("{\"points\": {}}"),
+                    "points.json: found {\"points\":{}}, expected an object with \"image_size\"");
   EXPECT_THROW_TEXT(landmarks(R"({"image_size": [1, 2]})"),
                     "points.json: found {\"image_size\":[1,2]}, expected an object with \"points\"");
   EXPECT_THROW_TEXT(landmarks(R"({"image_size": [1, 2], "points": {}})"),
@@ -64,7 +68,8 @@ TEST(ReadLandmarks, RejectsWhatIsNoLandmarkFile) {
 }
 
 TEST(ReadCorrections, GathersThePointsOfAFrameAndSortsFrames) {
-  const auto seq = corrections(R"([{"frame": 41, "point": "lip_3", "xy": [1, 2]}, {"frame": 7, "point": "chin", "xy": [3, 4]},
+  const auto seq =
+      corrections(R"([{"frame": 41, "point": "lip_3", "xy": [1, 2]}, {"frame": 7, "point": "chin", "xy": [3, 4]},
                                    {"frame": 41, "point": "lip_4", "xy": [5, 6]}, {"frame": 100, "point": "chin", "xy": [7, 8]}])");
   ASSERT_EQ(seq.size(), 3u);
   EXPECT_EQ(seq.id(0), "7");
@@ -85,6 +90,7 @@ TEST(ReadCorrections, RejectsWhatIsNoListOfCorrections) {
                     "fix.json at /0: found {\"frame\":1,\"xy\":[1,2]}, expected an object with \"point\"");
   EXPECT_THROW_TEXT(corrections(R"([{"frame": 1, "point": "a", "xy": [1]}])"),
                     "fix.json at /0/xy: found [1], expected [x, y] in pixels");
-  EXPECT_THROW_TEXT(corrections(R"([{"frame": 1, "point": "a", "xy": [1, 2]}, {"frame": 1, "point": "a", "xy": [1, 3]}])"),
-                    "fix.json at /1: found a second correction of a in frame 1, expected one");
+  EXPECT_THROW_TEXT(
+      corrections(R"([{"frame": 1, "point": "a", "xy": [1, 2]}, {"frame": 1, "point": "a", "xy": [1, 3]}])"),
+      "fix.json at /1: found a second correction of a in frame 1, expected one");
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/read_text.h"
 
-#include "tests/nodes/decode/temporary.h"
 #include "tests/nodes/decode/rig_folder.h"
+#include "tests/nodes/decode/temporary.h"
 #include "tests/support/expect_throw_text.h"
 
 using face::decode::read_text;
@@ -17,7 +17,9 @@ std::string read(const std::string& bytes) {
 }  // namespace
 
 TEST(ReadText, TrimsWhiteSpaceAtBothEnds) { EXPECT_EQ(read(" \r\n\tbin blue at F2 now\r\n\n"), "bin blue at F2 now"); }
-TEST(ReadText, KeepsLinesAndAccents) { EXPECT_EQ(read("caf\xC3\xA9\nna\xC3\xAFve \xF0\x9F\x98\x80"), "caf\xC3\xA9\nna\xC3\xAFve \xF0\x9F\x98\x80"); }
+TEST(ReadText, KeepsLinesAndAccents) {
+  EXPECT_EQ(read("caf\xC3\xA9\nna\xC3\xAFve \xF0\x9F\x98\x80"), "caf\xC3\xA9\nna\xC3\xAFve \xF0\x9F\x98\x80");
+}
 TEST(ReadText, DropsAByteOrderMark) { EXPECT_EQ(read("\xEF\xBB\xBFhello"), "hello"); }
 TEST(ReadText, ConvertsUtf16OfEitherByteOrder) {
   EXPECT_EQ(read(std::string("\xFF\xFEh\0\xE9\0\x3D\xD8\x00\xDE", 10)), "h\xC3\xA9\xF0\x9F\x98\x80");
@@ -37,7 +39,8 @@ TEST(ReadText, RejectsBytesThatAreNotUtf8) {
   EXPECT_THROW_TEXT(read(std::string("\xFF\xFEh\0\x3D\xD8", 6)), "line.txt byte 4: found half a UTF-16 surrogate pair");
 }
 TEST(ReadText, RejectsAMissingFileAndAFolder) {
-  EXPECT_THROW_TEXT(read_text(engine::File::at("/nowhere/line.txt")), "line.txt: cannot be opened: No such file or directory");
+  EXPECT_THROW_TEXT(read_text(engine::File::at("/nowhere/line.txt")),
+                    "line.txt: cannot be opened: No such file or directory");
   const test::Temporary temporary;
   EXPECT_THROW_TEXT(read_text(engine::File::folder("/some/texts", {})), "texts: is a folder, expected a file");
 }

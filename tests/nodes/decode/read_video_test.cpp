@@ -56,7 +56,7 @@ TEST(ReadVideo, GivesTheSamePixelsTwice) {
 
 TEST(ReadVideo, ShowsColoursAsTheyAre) {
   DATA_FILE(path, "grid/bbaf2n.mpg");
-  const Image& image = read(path).frames[0];
+  const Image image = read(path).frames[0];
   const auto pixel = [&](int x, int y) { return &image.pixels[static_cast<std::size_t>((y * image.width + x) * 3)]; };
   const auto *cheek = pixel(130, 200), *wall = pixel(20, 60);
   EXPECT_GT(cheek[0], cheek[2] + 30);  // skin: more red than blue
@@ -71,9 +71,10 @@ TEST(ReadVideo, RejectsAMissingAndAnEmptyFile) {
 
 TEST(ReadVideo, RejectsWhatIsNoVideo) {
   const test::Temporary temporary;
-  EXPECT_THROW_TEXT(read(temporary.write("clip.mp4", "This is a text.")),
-                    "clip.mp4: cannot be read: Invalid data found when processing input; expected a video file (MP4, MOV, MPEG, "
-                    "AVI, MKV, WebM)");
+  EXPECT_THROW_TEXT(
+      read(temporary.write("clip.mp4", "This is a text.")),
+      "clip.mp4: cannot be read: Invalid data found when processing input; expected a video file (MP4, MOV, MPEG, "
+      "AVI, MKV, WebM)");
 }
 
 TEST(ReadVideo, RejectsARecordingWithoutPictures) {
@@ -84,8 +85,9 @@ TEST(ReadVideo, RejectsARecordingWithoutPictures) {
   const std::vector<float> samples(1600);
   sf_writef_float(out, samples.data(), 1600);
   sf_close(out);
-  EXPECT_THROW_TEXT(read(temporary.path("line.wav")),
-                    "line.wav: has no pictures: found audio pcm_s16le, expected a video file (MP4, MOV, MPEG, AVI, MKV, WebM)");
+  EXPECT_THROW_TEXT(
+      read(temporary.path("line.wav")),
+      "line.wav: has no pictures: found audio pcm_s16le, expected a video file (MP4, MOV, MPEG, AVI, MKV, WebM)");
 }
 
 TEST(ReadVideo, ReadsTheFramesThatATruncatedMpegHasOrSaysSo) {

@@ -24,9 +24,11 @@ Tracked track_clip(const std::string& video, const std::string& points) {
   std::shared_ptr<const Image> before;
   engine::SeqWriter<Image> writer([&](const std::string&, Image image) {
     auto now = std::make_shared<const Image>(std::move(image));
-    const engine::Window<Image> window = before ? engine::Window<Image>({before, now}, 1) : engine::Window<Image>({now}, 0);
+    const engine::Window<Image> window =
+        before ? engine::Window<Image>({before, now}, 1) : engine::Window<Image>({now}, 0);
     engine::Prior<track::TrackKltResult> prior;
-    if (before) prior = engine::Prior<track::TrackKltResult>(std::make_shared<const track::TrackKltResult>(out.frames.back()));
+    if (before)
+      prior = engine::Prior<track::TrackKltResult>(std::make_shared<const track::TrackKltResult>(out.frames.back()));
     out.frames.push_back(track::track_klt(window, out.start, nullptr, prior));
     before = std::move(now);
   });

@@ -20,7 +20,8 @@ class Texture {
     Random random(1);
     for (int i = 0; i < 24; ++i) {
       const double length_px = random.uniform(8, 40), angle = random.uniform(0, 2 * M_PI);
-      waves_.push_back({2 * M_PI / length_px * std::cos(angle), 2 * M_PI / length_px * std::sin(angle), random.uniform(0, 6.3)});
+      waves_.push_back(
+          {2 * M_PI / length_px * std::cos(angle), 2 * M_PI / length_px * std::sin(angle), random.uniform(0, 6.3)});
     }
   }
   double at(double x, double y) const {
@@ -43,7 +44,8 @@ std::shared_ptr<const Image> picture(double dx, double dy, double angle = 0, dou
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const double u = x - dx - 80, v = y - dy - 60;
-      const double value = gain * texture.at(80 + std::cos(angle) * u + std::sin(angle) * v, 60 - std::sin(angle) * u + std::cos(angle) * v);
+      const double value = gain * texture.at(80 + std::cos(angle) * u + std::sin(angle) * v,
+                                             60 - std::sin(angle) * u + std::cos(angle) * v);
       for (int c = 0; c < 3; ++c)
         image.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))));
     }
@@ -66,7 +68,8 @@ TrackKltResult first(const std::shared_ptr<const Image>& image, const Landmarks*
 }
 
 TrackKltResult next(const std::shared_ptr<const Image>& before, const std::shared_ptr<const Image>& image,
-                    const TrackKltResult& prior, const Landmarks* correction = nullptr, const TrackKltOptions& options = {}) {
+                    const TrackKltResult& prior, const Landmarks* correction = nullptr,
+                    const TrackKltOptions& options = {}) {
   return track_klt({{before, image}, 1}, points(), correction, prior_of(prior), options);
 }
 
@@ -76,7 +79,8 @@ double rms_px(const Landmarks& found, double dx, double dy, double angle = 0) {
   const Landmarks start = points();
   for (std::size_t i = 0; i < found.points.size(); ++i) {
     const double u = start.points[i].x_px - 80, v = start.points[i].y_px - 60;
-    const double x = 80 + dx + std::cos(angle) * u - std::sin(angle) * v, y = 60 + dy + std::sin(angle) * u + std::cos(angle) * v;
+    const double x = 80 + dx + std::cos(angle) * u - std::sin(angle) * v,
+                 y = 60 + dy + std::sin(angle) * u + std::cos(angle) * v;
     sum += std::pow(found.points[i].x_px - x, 2) + std::pow(found.points[i].y_px - y, 2);
   }
   return std::sqrt(sum / static_cast<double>(found.points.size()));
@@ -157,7 +161,8 @@ TEST(TrackKlt, LosesACoveredPointKeepsItsPlaceAndFindsItAgain) {
   for (int y = 40; y < 76; ++y)
     for (int x = 50; x < 86; ++x)  // over p5, at (66.5, 57)
       for (int c = 0; c < 3; ++c)
-        covered.pixels[static_cast<std::size_t>((y * 160 + x) * 3 + c)] = static_cast<std::uint8_t>((x * 31 + y * 17 + x * y) % 256);
+        covered.pixels[static_cast<std::size_t>((y * 160 + x) * 3 + c)] =
+            static_cast<std::uint8_t>((x * 31 + y * 17 + x * y) % 256);
   const auto image = std::make_shared<const Image>(covered);
   const TrackKltResult start = first(before), hidden = next(before, image, start);
   EXPECT_FALSE(hidden.landmarks.points[5].valid);
@@ -224,7 +229,8 @@ TEST(TrackKlt, RejectsAStartPointOutsideTheImage) {
 
 TEST(TrackKlt, RejectsACorrectionOfAnUnknownPoint) {
   const Landmarks correction{{{"lip_99", 70, 61, true}}};
-  EXPECT_THROW_TEXT(first(picture(0, 0), &correction), "a correction names the point lip_99, which start does not have");
+  EXPECT_THROW_TEXT(first(picture(0, 0), &correction),
+                    "a correction names the point lip_99, which start does not have");
 }
 
 TEST(TrackKlt, RejectsACorrectionOutsideTheImage) {
@@ -242,5 +248,6 @@ TEST(TrackKlt, RejectsFramesOfUnequalSize) {
 TEST(TrackKlt, RejectsAnEvenWindow) {
   TrackKltOptions options;
   options.window_px = 14;
-  EXPECT_THROW_TEXT(track_klt({{picture(0, 0)}, 0}, points(), nullptr, {}, options), "window_px is 14, expected an odd number");
+  EXPECT_THROW_TEXT(track_klt({{picture(0, 0)}, 0}, points(), nullptr, {}, options),
+                    "window_px is 14, expected an odd number");
 }
