@@ -60,7 +60,9 @@ std::span<const std::int16_t> speech_range(const SpeechSamples& speech) {
 
 std::vector<ChosenWord> choose_words(const Transcript& transcript, const SpeechSamples& speech,
                                      const engine::File& acoustic_model, engine::Progress& progress) {
-  Decoder decoder(acoustic_model, {});
+  DecoderOptions decoding;
+  decoding.frame_step = 2;  // words and pauses need no more; the second pass finds the times
+  Decoder decoder(acoustic_model, decoding);
   std::vector<ChosenWord> chosen;
   for (const PlacedWord& placed : place_words(decoder, speech_range(speech), transcript.words, progress)) {
     const WordVariants& variants = transcript.words[placed.index];

@@ -68,6 +68,7 @@ Decoder::Decoder(const engine::File& acoustic_model, const DecoderOptions& optio
                   "-maxhmmpf", "-1", "-remove_noise", "yes", nullptr));
   check(config != nullptr, "PocketSphinx refuses its configuration");
   for (const char* beam : {"-beam", "-pbeam", "-wbeam"}) cmd_ln_set_float_r(config.get(), beam, options.beam);
+  cmd_ln_set_int_r(config.get(), "-ds", options.frame_step);
   cmd_ln_set_float_r(config.get(), "-lw", options.phone_model_weight);
   const std::map<std::string, std::string> files = {
       {"-mdef", "mdef"}, {"-mean", "means"}, {"-var", "variances"}, {"-tmat", "transition_matrices"}};

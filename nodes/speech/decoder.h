@@ -37,6 +37,7 @@ struct DecodedWord {
 
 struct DecoderOptions {
   double beam = 1e-300;           // open: a path that reaches the end is never lost
+  int frame_step = 1;             // densities are evaluated in every nth frame: most of the cost
   double phone_model_weight = 1;  // of the n-gram against the sound, in decode_phones
 };
 
