@@ -191,6 +191,39 @@ std::vector<std::string> bad_places(std::span<const Phone> phones, double limit)
   return places;
 }
 
+// Pauses of at least half a second that are as loud as speech, as sentences: the text has no words for them. Noise does
+// not count: what is that loud must stand out from the quietest tenth of the recording.
+std::vector<std::string> wordless_speech(std::span<const Phone> phones, const SpeechSamples& speech) {
+  constexpr double shortest_s = 0.5, above_floor = 16, below_speech = 16;  // 12 dB as ratios of energy
+  std::vector<double> energy(speech.samples.size() / samples_per_frame);
+  for (std::size_t i = 1; i < energy.size() * samples_per_frame; ++i) {
+    const double d = double{1} * speech.samples[i] - speech.samples[i - 1];
+    energy[i / samples_per_frame] += d * d;
+  }
+  std::vector<double> sorted = energy;
+  std::sort(sorted.begin(), sorted.end());
+  const double floor = sorted.empty() ? 0 : sorted[sorted.size() / 10];
+  const auto level = [&](bool pause, double from_s, double to_s) {
+    double sum = 0, count = 0;
+    for (const Phone& phone : phones) {
+      if ((phone.label == "SIL") != pause || phone.start_s < from_s || phone.end_s > to_s) continue;
+      const auto last = std::min(static_cast<std::size_t>(phone.end_s / frame_s), energy.size());
+      for (auto f = static_cast<std::size_t>(phone.start_s / frame_s); f < last; ++f) sum += energy[f], ++count;
+    }
+    return count > 0 ? sum / count : 0;
+  };
+  const double spoken = level(false, 0, INFINITY);
+  std::vector<std::string> places;
+  for (const Phone& phone : phones) {
+    if (phone.label != "SIL" || phone.end_s - phone.start_s < shortest_s) continue;
+    const double loudness = level(true, phone.start_s, phone.end_s);
+    if (loudness > above_floor * floor && loudness * below_speech > spoken)
+      places.push_back(
+          message("the text has no words for the sound from ", seconds(phone.start_s), " to ", seconds(phone.end_s)));
+  }
+  return places;
+}
+
 }  // namespace
 
 AlignResult align(const Audio& audio, const std::string* text, const engine::File& acoustic_model,
@@ -228,8 +261,11 @@ AlignResult align(const Audio& audio, const std::string* text, const engine::Fil
                                  " words find no room in the audio, from \"", transcript.words[words.size()].word,
                                  "\""));
     const std::vector<std::string> places = bad_places(phones, options.match_score);
-    result.matches = words.size() == transcript.words.size() && result.mean_score >= options.match_score;
+    const std::vector<std::string> wordless = wordless_speech(phones, speech);
+    result.matches =
+        words.size() == transcript.words.size() && result.mean_score >= options.match_score && wordless.empty();
     warnings.insert(warnings.end(), places.begin(), places.end());
+    warnings.insert(warnings.end(), wordless.begin(), wordless.end());
   }
   result.phones = split_stops({std::move(phones), duration_s, has_words}, &audio);
   for (const std::string& warning : warnings) {

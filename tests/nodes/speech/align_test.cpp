@@ -224,6 +224,15 @@ TEST(Align, NamesThePlaceOfAWrongPassageInARightTranscript) {
   EXPECT_EQ(result.report.find("paper"), std::string::npos) << result.report;
 }
 
+TEST(Align, SaysWhereTheTextHasNoWordsForTheSound) {
+  NEEDS_ACOUSTIC_MODEL();
+  const auto said =
+      spoken("The farmer found five fat foxes in the barn. Vivian prefers fresh berries over pumpkin pie.");
+  const AlignResult result = aligned(said.audio, "The farmer found five fat foxes in the barn.");
+  EXPECT_FALSE(result.matches);
+  EXPECT_NE(result.report.find("the text has no words for the sound from "), std::string::npos) << result.report;
+}
+
 TEST(Align, ReportsWordsThatTheDictionaryLacks) {
   NEEDS_ACOUSTIC_MODEL();
   const auto said = spoken("The blorft met 12 people.");
