@@ -86,9 +86,16 @@ class InteriorPoint {
     for (std::size_t i = 0; i < count_; ++i) {
       sides_.push_back({Side::Kind::box, i, nullptr, -1, 0, infinity});
       sides_.push_back({Side::Kind::box, i, nullptr, 1, 1, infinity});
-      if (i < dims_ || !std::isfinite(steps.largest)) continue;
-      for (const double sign : {-1.0, 1.0})
-        sides_.push_back({Side::Kind::step, i, nullptr, sign, steps.largest, steps.price});
+      if (!std::isfinite(steps.largest)) continue;
+      const bool last = i + dims_ >= count_;
+      for (const double sign : {-1.0, 1.0}) {
+        if (i >= dims_) sides_.push_back({Side::Kind::step, i, nullptr, sign, steps.largest, steps.price});
+        if (i < dims_ && !ends.before.empty())
+          sides_.push_back({Side::Kind::box, i, nullptr, sign, steps.largest + sign * ends.before[i], steps.price});
+        if (last && !ends.after.empty())
+          sides_.push_back(
+              {Side::Kind::box, i, nullptr, sign, steps.largest + sign * ends.after[i + dims_ - count_], steps.price});
+      }
     }
     for (const FrameBound& bound : bounds) {
       const std::size_t first = bound.frame * dims_;

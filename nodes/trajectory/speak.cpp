@@ -42,6 +42,24 @@ struct Speech {
   }
 };
 
+// Solves the shapes that go too fast once more, each by itself, as slowly as they must.
+void bound_steps(Speech& speech) {
+  const std::size_t frames = speech.targets.frames;
+  for (std::size_t s = 0; s < arkit_count; ++s) {
+    double fastest = 0;
+    for (std::size_t i = arkit_count + s; i < speech.values.size(); i += arkit_count)
+      fastest = std::max(fastest, std::abs(speech.values[i] - speech.values[i - arkit_count]));
+    if (fastest <= speech.steps.largest) continue;
+    TrajectoryTargets shape{frames, 1, {}, {}};
+    for (std::size_t i = s; i < speech.values.size(); i += arkit_count) {
+      shape.precision.push_back(speech.targets.precision[i]);
+      shape.target.push_back(speech.targets.target[i]);
+    }
+    const BoundedTrajectory solved = solve_bounded_trajectory(shape, speech.smoothness, {}, {}, speech.steps);
+    for (std::size_t i = 0; i < frames; ++i) speech.values[i * arkit_count + s] = solved.values[i];
+  }
+}
+
 // Frames in which the free curve may break a bound, grown by reach_s and merged: pieces that do not know of each other, so
 // that a change in one leaves the others as they are, bit for bit.
 std::vector<FrameRange> find_pieces(const Speech& speech, double rate_hz) {
@@ -191,6 +209,7 @@ SpeakResult speak(const Phones& phones, const Visemes& visemes, const Rig& rig, 
   const double smoothness = smoothness_at(options.smoothness, reference_rate_hz, options.rate_hz);
   const StepBound steps{largest_change_hz / options.rate_hz, step_price};
   Speech speech{targets, smoothness, steps, mouth, contacts, solve_trajectory(targets, smoothness)};
+  bound_steps(speech);
   for (const FrameRange& piece : find_pieces(speech, options.rate_hz)) solve_piece(speech, piece);
   for (double& value : speech.values) value = std::clamp(std::round(value / quantum) * quantum, 0.0, 1.0);
 

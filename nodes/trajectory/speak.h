@@ -14,7 +14,7 @@ namespace face::trajectory {
 
 struct SpeakOptions {
   double rate_hz = 60;
-  double smoothness = 10;  // lambda at 30 frames per second
+  double smoothness = 6;  // lambda at 30 frames per second; 10 in the paper, whose data were smoother
   double strength = 1;
   Normalise normalise = Normalise::none;
 };

@@ -116,6 +116,32 @@ TEST(BoundedTrajectory, SaysThatContradictoryBoundsCannotBeMet) {
   for (const double value : solved.values) EXPECT_TRUE(value >= 0 && value <= 1);
 }
 
+TEST(BoundedTrajectory, BreaksAPricedBoundOnlyAsFarAsItMust) {
+  // The hard bound holds x at 0.2 or less; the priced one, which asks for 0.6, is then missed by 0.4 and no more.
+  const BoundedTrajectory solved = solve_bounded_trajectory(
+      {2, 1, {1.0, 1.0}, {0.5, 0.5}}, 1, {{0, {1.0}, 0.6, infinity, 100.0}, {0, {1.0}, -infinity, 0.2}});
+  ASSERT_TRUE(solved.converged);
+  EXPECT_NEAR(solved.values[0], 0.2, 1e-7);
+}
+
+TEST(BoundedTrajectory, APriceThatIsHighEnoughIsNeverPaid) {
+  const TrajectoryTargets targets = random_targets(20, 2);
+  std::vector<FrameBound> hard = {{9, {3.0, -1.0}, 0.9, 1.0}}, priced = hard;
+  priced[0].price = 1000;
+  const BoundedTrajectory a = solve_bounded_trajectory(targets, 10, hard), b = solve_bounded_trajectory(targets, 10, priced);
+  ASSERT_TRUE(a.converged && b.converged);
+  for (std::size_t i = 0; i < a.values.size(); ++i) EXPECT_NEAR(a.values[i], b.values[i], 1e-6);
+}
+
+TEST(BoundedTrajectory, KeepsToTheLargestStep) {
+  TrajectoryTargets targets{40, 1, std::vector<double>(40, 50.0), std::vector<double>(40, 0.0)};
+  for (std::size_t i = 20; i < 40; ++i) targets.target[i] = 1;
+  const BoundedTrajectory solved = solve_bounded_trajectory(targets, 1, {}, {}, {0.2, 1e5});
+  ASSERT_TRUE(solved.converged);
+  for (std::size_t i = 1; i < 40; ++i) EXPECT_LE(solved.values[i] - solved.values[i - 1], 0.2 + 1e-6);
+  EXPECT_NEAR(solved.values[39], 1, 1e-6);
+}
+
 TEST(BoundedTrajectory, OfNothingIsNothing) { EXPECT_TRUE(solve_bounded_trajectory({0, 2, {}, {}}, 1, {}).converged); }
 
 TEST(BoundedTrajectory, RejectsABoundThatDoesNotFit) {

@@ -70,7 +70,7 @@ TEST(ReadVisemes, TheProjectsTableMakesTheShapesThatPhoneticsKnows) {
 }
 
 TEST(ReadVisemes, ANameWithoutASideMeansBoth) {
-  const Visemes visemes = read_visemes(edited("\"mouthSmile\": 0.34", "\"mouthSmile\": 0.5, \"mouthPressLeft\": 0.25"));
+  const Visemes visemes = read_visemes(edited("\"mouthSmile\": 0.37", "\"mouthSmile\": 0.5, \"mouthPressLeft\": 0.25"));
   EXPECT_EQ(weight(entry(visemes, "IY"), "mouthSmileLeft"), 0.5f);
   EXPECT_EQ(weight(entry(visemes, "IY"), "mouthSmileRight"), 0.5f);
   EXPECT_EQ(weight(entry(visemes, "IY"), "mouthPressLeft"), 0.25f);
