@@ -35,7 +35,9 @@ if(FACEGRAPH_TESTS)
   enable_testing()
   include(GoogleTest)
   add_library(test_support INTERFACE)
-  target_compile_definitions(test_support INTERFACE FACEGRAPH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(test_support INTERFACE FACEGRAPH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    FACEGRAPH_PLUGIN_DIR="${PROJECT_BINARY_DIR}/lib/facegraph/plugins"
+    FACEGRAPH_COMMAND="${PROJECT_BINARY_DIR}/bin/facegraph")
 endif()
 if(FACEGRAPH_BENCH)
   find_package(benchmark REQUIRED)

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,12 +70,15 @@ class Seq {
   iterator end() const { return {this, size()}; }
 
  private:
-  struct Held final : SeqSource<T> {
+  struct Held final : SeqSource<T>, std::enable_shared_from_this<Held> {
     Held(std::vector<T> v, std::vector<std::string> i) : values(std::move(v)), ids(std::move(i)) {}
     std::size_t size() const override { return values.size(); }
     std::string id(std::size_t index) const override { return ids.empty() ? std::to_string(index) : ids.at(index); }
     std::shared_ptr<const T> load(std::size_t index) const override {
-      return std::shared_ptr<const T>(std::shared_ptr<const void>{}, &values[index]);
+      if constexpr (std::is_same_v<T, bool>)
+        return std::make_shared<const bool>(values[index]);
+      else
+        return std::shared_ptr<const T>(this->shared_from_this(), &values[index]);
     }
     std::vector<T> values;
     std::vector<std::string> ids;

@@ -3,6 +3,7 @@
 
 #include <openssl/evp.h>
 
+#include <memory>
 #include <stdexcept>
 
 namespace engine {
@@ -46,11 +47,14 @@ Digest Digest::from_hex(std::string_view text) {
 }
 
 Digest digest_of(std::span<const std::uint8_t> bytes) {
-  thread_local EVP_MD_CTX* const context = EVP_MD_CTX_new();
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
+  thread_local const std::unique_ptr<EVP_MD_CTX, Free> context(EVP_MD_CTX_new());
   Digest digest;
-  EVP_DigestInit_ex2(context, sha256(), nullptr);
-  EVP_DigestUpdate(context, bytes.data(), bytes.size());
-  EVP_DigestFinal_ex(context, digest.bytes.data(), nullptr);
+  EVP_DigestInit_ex2(context.get(), sha256(), nullptr);
+  EVP_DigestUpdate(context.get(), bytes.data(), bytes.size());
+  EVP_DigestFinal_ex(context.get(), digest.bytes.data(), nullptr);
   return digest;
 }
 

@@ -150,7 +150,9 @@ void add_output(NodeDeclaration& node, const char* name, const char* text, bool 
 template <class T>
 void give(Call& call, std::size_t output, T& value) {
   if constexpr (nested<T>::depth == 1) {
-    for (std::size_t i = 0; i < value.size(); ++i) call.push(output, value.id(i), value.at(i));
+    // Copies: an element that stays in memory must not hold the whole sequence.
+    using Element = typename nested<T>::type;
+    for (std::size_t i = 0; i < value.size(); ++i) call.push(output, value.id(i), std::make_shared<const Element>(*value.at(i)));
   } else {
     call.result(output, std::make_shared<const T>(std::move(value)));
   }

@@ -156,7 +156,7 @@ void Session::wait_blocked(std::unique_lock<std::mutex>& guard, const std::funct
   if (until()) return;
   ++blocked_;
   --active_;
-  if (threads_.size() - blocked_ < most_workers_ && !stopped_) start_worker();
+  if (alive_ - blocked_ < most_workers_ && !stopped_) start_worker();
   changed_.notify_all();
   while (!until() && !stopped_) changed_.wait_for(guard, 200ms);
   ++active_;
@@ -244,17 +244,26 @@ void Session::enqueue(Task& task) {
 }
 
 void Session::start_worker() {
+  ++alive_;
   threads_.emplace_back([this] { worker(); });
+}
+
+void Session::join_workers() {
+  std::unique_lock guard(mutex_);
+  while (!threads_.empty()) {
+    std::vector<std::thread> threads = std::move(threads_);
+    threads_.clear();
+    guard.unlock();
+    for (std::thread& thread : threads) thread.join();
+    guard.lock();
+  }
 }
 
 void Session::worker() {
   std::unique_lock guard(mutex_);
   while (!stopped_) {
     if (ready_.empty() || active_ >= most_workers_) {
-      if (idle()) {
-        changed_.notify_all();
-        return;
-      }
+      if (idle()) break;
       changed_.wait_for(guard, 200ms);
       continue;
     }
@@ -267,11 +276,13 @@ void Session::worker() {
     --active_;
     changed_.notify_all();
   }
+  --alive_;
+  changed_.notify_all();
 }
 
 void Session::work() {
   std::unique_lock guard(mutex_);
-  for (std::size_t i = 0; i < most_workers_ && !idle(); ++i) start_worker();
+  for (int i = 0; i < most_workers_ && !idle(); ++i) start_worker();
   while (!idle() && !stopped_ && !fatal_) {
     changed_.wait_for(guard, 50ms);
     if (options_.stop_requested && options_.stop_requested()) stopped_ = true;
@@ -290,10 +301,8 @@ void Session::work() {
       break;
     }
   }
-  std::vector<std::thread> threads = std::move(threads_);
-  threads_.clear();
   guard.unlock();
-  for (std::thread& thread : threads) thread.join();
+  join_workers();
   if (fatal_) std::rethrow_exception(fatal_);
 }
 

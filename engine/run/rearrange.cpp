@@ -193,12 +193,17 @@ void Rearrangement::flatten() {
   const Tree::Sequence& outer = *from->sequence;
   while (next_ < outer.children.size()) {
     Tree* inner = follow(outer.children[next_]);
-    if (inner->state == Tree::State::pending) return;
+    if (inner->state == Tree::State::pending) {
+      if (watched_ != inner) inner->on_grow.push_back(this);
+      watched_ = inner;
+      return;
+    }
     if (inner->state == Tree::State::sequence) {
       for (; inner_ < inner->sequence->children.size(); ++inner_)
         session_.add_child(output_, outer.ids[next_] + "." + inner->sequence->ids[inner_], inner->sequence->children[inner_]);
       if (!inner->sequence->complete) {
-        session_.watch_growth(inner, this);
+        if (watched_ != inner) inner->on_grow.push_back(this);
+        watched_ = inner;
         return;
       }
     } else {

@@ -69,8 +69,13 @@ std::vector<Tree*> inputs_of(const Task& task) {
   return trees;
 }
 
+struct EarlierFirst {
+  bool operator()(const Task* a, const Task* b) const { return a->serial < b->serial; }
+};
+using TaskSet = std::set<const Task*, EarlierFirst>;
+
 // The tasks behind a tree.
-void producers_of(Tree* tree, std::set<const Task*>& found) {
+void producers_of(Tree* tree, TaskSet& found) {
   tree = follow(tree);
   if (tree->producer) {
     found.insert(tree->producer);
@@ -82,7 +87,7 @@ void producers_of(Tree* tree, std::set<const Task*>& found) {
 std::string first_unknown(const Session& session, const Task& task) {
   for (Tree* tree : inputs_of(task)) {
     if (!tree->unknown) continue;
-    std::set<const Task*> producers;
+    TaskSet producers;
     producers_of(tree, producers);
     for (const Task* producer : producers)
       if (producer->state == Task::State::would_run) return session.name_of(*producer);
@@ -140,7 +145,7 @@ class Explainer {
 
   // Producers whose own key is another than last time, or not known yet.
   bool upstream(const Task& task) {
-    std::set<const Task*> producers;
+    TaskSet producers;
     for (Tree* tree : inputs_of(task)) producers_of(tree, producers);
     bool any = false;
     std::map<int, std::set<std::string>> elements;
@@ -210,7 +215,7 @@ class Explainer {
   Store& store_;
   const std::string& graph_path_;
   std::map<std::string, std::map<std::string, Digest>> histories_;
-  std::set<const Task*> visited_;
+  TaskSet visited_;
   std::vector<std::string> path_;
   std::vector<Cause> causes_;
 };

@@ -17,12 +17,12 @@ std::int64_t half_of_memory() {
 Session::Session(const Graph& graph, Plugins& plugins, Store& store, const RunOptions& options, Mode mode)
     : graph_(graph), plugins_(plugins), store_(store), options_(options), mode_(mode), filter_(options.elements) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  most_workers_ = options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
+  most_workers_ = options.threads > 0 ? options.threads : static_cast<int>(cores);
   budget_ = options.memory_bytes > 0 ? options.memory_bytes
             : graph.run.memory_bytes > 0 ? graph.run.memory_bytes : half_of_memory();
 }
 
-Session::~Session() = default;
+Session::~Session() { join_workers(); }
 
 void Session::finish_run(RunResult& result) {
   const std::lock_guard guard(mutex_);

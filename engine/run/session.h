@@ -112,6 +112,7 @@ class Rearrangement final : public Watcher {
   std::vector<std::vector<Tree*>> inputs_;
   Tree* output_;
   std::size_t next_ = 0, inner_ = 0;
+  Tree* watched_ = nullptr;      // flatten: the inner sequence that it waits for
   bool done_ = false;
 };
 
@@ -224,6 +225,7 @@ class Session {
   void enqueue(Task& task);
   void worker();
   void start_worker();
+  void join_workers();
   bool idle() const { return ready_.empty() && running_ == 0; }
   void run_task(Task& task, std::unique_lock<std::mutex>& guard);
   std::vector<OutputRecord> call_node(Task& task);
@@ -268,10 +270,11 @@ class Session {
   std::priority_queue<Task*, std::vector<Task*>, Later> ready_;
   std::condition_variable changed_;          // something became ready, was delivered, or memory fell
   std::vector<std::thread> threads_;
-  std::size_t active_ = 0;                   // workers at work and not blocked
-  std::size_t running_ = 0;                  // tasks running, blocked ones included
-  std::size_t blocked_ = 0;                  // workers waiting for a value or for memory
-  std::size_t most_workers_ = 1;
+  int alive_ = 0;                            // workers
+  int active_ = 0;                           // of them, those at work and not blocked
+  int running_ = 0;                          // tasks running, blocked ones included
+  int blocked_ = 0;                          // threads waiting for a value or for memory
+  int most_workers_ = 1;
   bool stopped_ = false;
   std::int64_t budget_ = 0;
   std::int64_t used_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/toy/numbers.h"
 
+#include <charconv>
+
 namespace toy {
 
 double add(const double& a, const double* b, const AddOptions& options) { return a + (b ? *b : 0) + options.amount; }
@@ -13,6 +15,17 @@ double window_mean(const engine::Window<double>& values) {
 
 RunningSum running_sum(const double& value, const engine::Prior<RunningSum>& prior) {
   return {(prior ? prior->total : 0) + value};
+}
+
+double sum_all(const engine::Seq<double>& numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += number;
+  return sum;
+}
+
+std::string number_text(const double& number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::fixed).ptr};
 }
 
 double random_number(const std::string& id, const RandomNumberOptions& options) {

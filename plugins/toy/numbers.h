@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <string>
+
 #include "engine/port.h"
 
 namespace toy {
@@ -18,6 +20,12 @@ struct RunningSum {
 };
 // Sum of the numbers so far.
 RunningSum running_sum(const double& value, const engine::Prior<RunningSum>& prior);
+
+// The sum of all.
+double sum_all(const engine::Seq<double>& numbers);
+
+// A number in decimal digits.
+std::string number_text(const double& number);
 
 struct RandomNumberOptions {
   int seed = 1;

@@ -25,6 +25,14 @@ struct ConcatOptions {
 // All texts in one.
 std::string concat(const engine::Seq<std::string>& texts, const ConcatOptions& options);
 
+// Two texts, side by side.
+std::string pair(const std::string& left, const std::string& right);
+
+struct ContainsOptions {
+  std::string part;
+};
+bool contains(const std::string& text, const ContainsOptions& options);
+
 struct RepeatOptions {
   int times = 3;
 };
