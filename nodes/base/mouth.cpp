@@ -18,15 +18,14 @@ float dot(const Vec3f& a, const Vec3f& b) { return a[0] * b[0] + a[1] * b[1] + a
 Vec3f cross(const Vec3f& a, const Vec3f& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Vec3f along(const Vec3f& a, const Vec3f& b, float t) {
-  return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]};
-}
+Vec3f along(const Vec3f& a, const Vec3f& b, float t) { return {a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]}; }
 Vec3f unit(const Vec3f& a) {
   const float length = std::sqrt(dot(a, a));
   return length > 0 ? Vec3f{a[0] / length, a[1] / length, a[2] / length} : Vec3f{0, 0, 1};
 }
 
-// Barycentric coordinates of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+// Barycentric coordinates of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 2005,
+// 5.1.5).
 std::array<float, 3> nearest_in_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   const Vec3f ab = minus(b, a), ac = minus(c, a), ap = minus(p, a);
   const float d1 = dot(ab, ap), d2 = dot(ac, ap);

@@ -10,8 +10,9 @@
 
 namespace face {
 
-// The lip gap of a pose: over the pairs of Rig::inner_lips, the distance from upper to lower lip along the jaw axis (down,
-// -y of the head), minus the same of the neutral, whose mouth is closed. 0 = closed, negative = the lips run into each other.
+// The lip gap of a pose: over the pairs of Rig::inner_lips, the distance from upper to lower lip along the jaw axis
+// (down, -y of the head), minus the same of the neutral, whose mouth is closed. 0 = closed, negative = the lips run
+// into each other.
 struct LipGap {
   double mean_mm = 0;
   double min_mm = 0;
@@ -24,8 +25,8 @@ LipGap lip_gap(const Rig& rig, const std::vector<Vec3f>& posed_mm);
 // The mean over the pairs alone: the lip gap that is reported and judged.
 double lip_gap_mm(const Rig& rig, const std::vector<Vec3f>& posed_mm);
 
-// The lip gap of a linear rig is linear in its weights and 0 at the neutral: gap of pair p = sum_s rows[p][s] * weight_s.
-// P x shapes, mm.
+// The lip gap of a linear rig is linear in its weights and 0 at the neutral: gap of pair p = sum_s rows[p][s] *
+// weight_s. P x shapes, mm.
 std::vector<std::vector<double>> lip_gap_rows(const Rig& rig);
 
 // A place where the lower lip is near the upper teeth.
@@ -35,9 +36,9 @@ struct LipTeethContact {
   Vec3f normal = {0, 0, 1};  // unit, from the teeth outwards: along it the distance grows
 };
 
-// Measures lower lip to upper teeth for many poses of one rig. The surface of the teeth is the rig's polygons whose corners
-// are all in Rig::upper_teeth; of these, the ones about the nearest vertex are searched. The teeth stay in the skull: they
-// are taken at their neutral place.
+// Measures lower lip to upper teeth for many poses of one rig. The surface of the teeth is the rig's polygons whose
+// corners are all in Rig::upper_teeth; of these, the ones about the nearest vertex are searched. The teeth stay in the
+// skull: they are taken at their neutral place.
 class LipTeeth {
  public:
   explicit LipTeeth(const Rig& rig);

@@ -70,7 +70,8 @@ Gaze gaze_at(const std::vector<Gaze>& gazes, double time_s) {
 double brow_at(const AddIdleOptions& options, double time_s) {
   Random random(static_cast<std::uint64_t>(options.seed), 3);
   const double first = random.uniform(0, 2 * std::numbers::pi), second = random.uniform(0, 2 * std::numbers::pi);
-  const double wave = std::sin(2 * std::numbers::pi * time_s / 3.1 + first) + std::sin(2 * std::numbers::pi * time_s / 4.7 + second);
+  const double wave =
+      std::sin(2 * std::numbers::pi * time_s / 3.1 + first) + std::sin(2 * std::numbers::pi * time_s / 4.7 + second);
   return std::max(0.0, wave / 2);
 }
 
@@ -86,7 +87,8 @@ void add_idle(const engine::Seq<Weights>& weights, const Timeline& timeline, eng
   const std::vector<Gaze> gazes = gaze_changes(options, timeline.duration_s);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     Weights frame = *weights.at(i);
-    check(frame.values.size() >= arkit_count, "frame ", i, " has ", frame.values.size(), " weights, expected ", arkit_count);
+    check(frame.values.size() >= arkit_count, "frame ", i, " has ", frame.values.size(), " weights, expected ",
+          arkit_count);
     const auto raise = [&](std::string_view name, double value) {
       float& weight = frame.values[arkit_index(name)];
       weight = std::max(weight, static_cast<float>(std::round(std::clamp(value, 0.0, 1.0) / quantum) * quantum));

@@ -62,7 +62,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // One side of a bound as sign * value(x) <= limit + excess, where the excess costs its price; a hard bound has none.
 struct Side {
   enum class Kind { box, step, row } kind = Kind::box;
-  std::size_t first = 0;        // box: index of the value. step: of the later value. row: of the frame's first value
+  std::size_t first = 0;  // box: index of the value. step: of the later value. row: of the frame's first value
   const double* row = nullptr;
   double sign = 1;
   double limit = 0;
@@ -156,7 +156,8 @@ class InteriorPoint {
     slack_.resize(n);
     dual_.resize(n);
     excess_.assign(n, 0.0);
-    for (auto* values : {&slack_step_, &dual_step_, &excess_step_, &slack_product_, &excess_product_, &primal_residual_})
+    for (auto* values :
+         {&slack_step_, &dual_step_, &excess_step_, &slack_product_, &excess_product_, &primal_residual_})
       values->assign(n, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
       slack_[i] = std::max(0.1, sides_[i].limit - side_value(sides_[i], x_));

@@ -14,8 +14,8 @@ struct FrameBound {
   std::vector<double> row;  // dims
   double low = 0;
   double high = 0;
-  // Energy per unit by which the bound is broken: a large price is kept exactly wherever it can be, and broken as little as
-  // possible where not. Infinite = must hold.
+  // Energy per unit by which the bound is broken: a large price is kept exactly wherever it can be, and broken as
+  // little as possible where not. Infinite = must hold.
   double price = std::numeric_limits<double>::infinity();
 };
 
@@ -31,17 +31,17 @@ struct BoundedTrajectory {
   int iterations = 0;
 };
 
-// Where a piece of a longer trajectory is tied to the rest: the frame before the first and after the last. Either is dims long,
-// or empty where the trajectory ends.
+// Where a piece of a longer trajectory is tied to the rest: the frame before the first and after the last. Either is
+// dims long, or empty where the trajectory ends.
 struct TrajectoryEnds {
   std::vector<double> before;
   std::vector<double> after;
 };
 
 // Minimises E of gaussian_trajectory.h subject to the bounds and 0 <= x <= 1, by a primal-dual interior point method
-// (Mehrotra, On the Implementation of a Primal-Dual Interior Point Method, SIAM J. Optimization 2, 1992). Bounds couple values
-// of one frame, or one value of two frames, so each iteration is one banded Cholesky solve of half-bandwidth dims:
-// O(frames x dims^3).
+// (Mehrotra, On the Implementation of a Primal-Dual Interior Point Method, SIAM J. Optimization 2, 1992). Bounds couple
+// values of one frame, or one value of two frames, so each iteration is one banded Cholesky solve of half-bandwidth
+// dims: O(frames x dims^3).
 BoundedTrajectory solve_bounded_trajectory(const TrajectoryTargets& targets, double smoothness,
                                            const std::vector<FrameBound>& bounds, const TrajectoryEnds& ends = {},
                                            const StepBound& steps = {});

@@ -14,10 +14,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr std::string_view corrector_names[] = {
-    "jawOpen",        "mouthClose",      "mouthFunnel",        "mouthPucker",         "mouthRollLower",
-    "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper",    "mouthPressLeft",      "mouthPressRight",
-    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight"};
+constexpr std::string_view corrector_names[] = {"jawOpen",          "mouthClose",         "mouthFunnel",
+                                                "mouthPucker",      "mouthRollLower",     "mouthRollUpper",
+                                                "mouthShrugLower",  "mouthShrugUpper",    "mouthPressLeft",
+                                                "mouthPressRight",  "mouthLowerDownLeft", "mouthLowerDownRight",
+                                                "mouthUpperUpLeft", "mouthUpperUpRight"};
 
 double product(const std::vector<double>& row, const std::vector<double>& weights) {
   double sum = 0;
@@ -117,9 +118,9 @@ void MouthBounds::bound_teeth(std::size_t frame, const std::vector<double>& weig
                 touch && i == 0 ? limits_.teeth_mm : infinity);
   }
   if (!touch) return;
-  // The distance to an edge is convex: going along its gradient alone the lip slips past the edge and the next linearisation
-  // sends it back. So the nearest point goes straight: it may slide by no more than slide_mm in the plane that divides left
-  // from right.
+  // The distance to an edge is convex: going along its gradient alone the lip slips past the edge and the next
+  // linearisation sends it back. So the nearest point goes straight: it may slide by no more than slide_mm in the plane
+  // that divides left from right.
   const Vec3f& normal = contacts.front().normal;
   const float length = std::hypot(normal[1], normal[2]);
   if (length > 0)

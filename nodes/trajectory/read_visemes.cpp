@@ -22,9 +22,9 @@ using Groups = std::map<std::string, std::vector<std::size_t>>;
 
 // The labels that a table must hold, and after the bar those that it may.
 constexpr std::array<std::string_view, 56> labels = {
-    "AA",  "AE",  "AH",  "AO",  "AW",  "AY",  "B",   "CH",  "D",   "DH",  "EH",  "ER",  "EY",  "F",
-    "G",   "HH",  "IH",  "IY",  "JH",  "K",   "L",   "M",   "N",   "NG",  "OW",  "OY",  "P",   "R",
-    "S",   "SH",  "T",   "TH",  "UH",  "UW",  "V",   "W",   "Y",   "Z",   "ZH",  "SIL", "P.c", "P.r",
+    "AA",  "AE",  "AH",  "AO",  "AW",  "AY",  "B",   "CH",  "D",   "DH",  "EH",   "ER",   "EY",   "F",
+    "G",   "HH",  "IH",  "IY",  "JH",  "K",   "L",   "M",   "N",   "NG",  "OW",   "OY",   "P",    "R",
+    "S",   "SH",  "T",   "TH",  "UH",  "UW",  "V",   "W",   "Y",   "Z",   "ZH",   "SIL",  "P.c",  "P.r",
     "B.c", "B.r", "T.c", "T.r", "D.c", "D.r", "K.c", "K.r", "G.c", "G.r", "CH.c", "CH.r", "JH.c", "JH.r"};
 constexpr std::size_t needed_labels = 52;
 
@@ -104,7 +104,8 @@ std::vector<std::size_t> shapes_at(const std::string& name, const Place& place) 
       if (arkit.ends_with(side) && !find_shapes(stem).empty()) names.push_back(stem);
     }
   }
-  place.error("names \"", name, "\", which is not one of ARKit's 52 shapes; did you mean \"", nearest(name, names), "\"?");
+  place.error("names \"", name, "\", which is not one of ARKit's 52 shapes; did you mean \"", nearest(name, names),
+              "\"?");
 }
 
 std::vector<float> weights_at(const Json& object, const Place& place) {

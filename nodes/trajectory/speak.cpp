@@ -60,8 +60,8 @@ void bound_steps(Speech& speech) {
   }
 }
 
-// Frames in which the free curve may break a bound, grown by reach_s and merged: pieces that do not know of each other, so
-// that a change in one leaves the others as they are, bit for bit.
+// Frames in which the free curve may break a bound, grown by reach_s and merged: pieces that do not know of each other,
+// so that a change in one leaves the others as they are, bit for bit.
 std::vector<FrameRange> find_pieces(const Speech& speech, double rate_hz) {
   const std::size_t frames = speech.targets.frames;
   std::vector<bool> bound(frames, false);
@@ -107,8 +107,8 @@ PieceProblem cut_piece(const Speech& speech, const FrameRange& piece) {
   return problem;
 }
 
-// The bounds of a piece that are linear in the weights, and for each of its frames whether the lower lip is to meet the teeth.
-// Lips win where phones are so short that they share a frame with teeth.
+// The bounds of a piece that are linear in the weights, and for each of its frames whether the lower lip is to meet the
+// teeth. Lips win where phones are so short that they share a frame with teeth.
 struct PieceBounds {
   std::vector<FrameBound> lips;
   std::vector<bool> touch;
@@ -142,8 +142,8 @@ void solve_piece(Speech& speech, const FrameRange& piece) {
   const PieceProblem problem = cut_piece(speech, piece);
   const std::vector<std::size_t>& correctors = speech.mouth.correctors();
   const PieceBounds linear = bounds_of(speech, piece);
-  // The teeth's bounds of every frame, linearised where the frame is; renewed where they do not hold afterwards, and only
-  // there: what holds already must not move because of a contact a minute away.
+  // The teeth's bounds of every frame, linearised where the frame is; renewed where they do not hold afterwards, and
+  // only there: what holds already must not move because of a contact a minute away.
   std::vector<std::vector<FrameBound>> teeth(piece.end - piece.first);
   std::vector<bool> stale = linear.touch;
   const bool with_teeth = speech.mouth.has_teeth();

@@ -28,13 +28,13 @@ struct SpeakResult {
   std::int64_t missed_count = 0;   // of these, those that this rig could not make
 };
 
-// Turns phones into the 52 ARKit weights of every frame: the smoothest curve through Gaussian targets (Ezzat, Geiger and
-// Poggio, Trainable Videorealistic Speech Animation, SIGGRAPH 2002) with what the published systems miss as bounds on the
-// rig's own geometry in mm: lips meet in every P B M, the lower lip meets the upper teeth in every F V, long open vowels are
-// open, and lips never run into each other. Smoothness is per time: the same curve at every frame rate.
-// Differs from the paper: targets and widths come from a table instead of statistics of recordings, diagonal covariance.
-// Weights are rounded to 1/4096: a change of one word fades out over the frames around it, and rounding makes the frames
-// that are the same to the eye the same to the bit, so that nothing after them is made again.
+// Turns phones into the 52 ARKit weights of every frame: the smoothest curve through Gaussian targets (Ezzat, Geiger
+// and Poggio, Trainable Videorealistic Speech Animation, SIGGRAPH 2002) with what the published systems miss as bounds
+// on the rig's own geometry in mm: lips meet in every P B M, the lower lip meets the upper teeth in every F V, long
+// open vowels are open, and lips never run into each other. Smoothness is per time: the same curve at every frame rate.
+// Differs from the paper: targets and widths come from a table instead of statistics of recordings, diagonal
+// covariance. Weights are rounded to 1/4096: a change of one word fades out over the frames around it, and rounding
+// makes the frames that are the same to the eye the same to the bit, so that nothing after them is made again.
 SpeakResult speak(const Phones& phones, const Visemes& visemes, const Rig& rig, engine::SeqWriter<Weights>& weights,
                   const SpeakOptions& options = {});
 

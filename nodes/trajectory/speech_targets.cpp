@@ -35,8 +35,8 @@ double length_factor(Normalise normalise, double length_s, double utterance_s) {
   return 1;
 }
 
-// First frame at or after a time, and first at or after it, of `frames`. The nanosecond absorbs sums of phone lengths that
-// should land on a frame.
+// First frame at or after a time, and first at or after it, of `frames`. The nanosecond absorbs sums of phone lengths
+// that should land on a frame.
 std::size_t frame_from(double time_s, double rate_hz, std::size_t frames) {
   const double frame = std::ceil((time_s - 1e-9) * rate_hz);
   return static_cast<std::size_t>(std::clamp(frame, 0.0, static_cast<double>(frames)));
@@ -133,14 +133,16 @@ std::vector<Contact> find_contacts(const Phones& phones, const Visemes& visemes,
     const Viseme& viseme = find_viseme(visemes, phone.label, i);
     const double length_s = phone.end_s - phone.start_s;
     if (viseme.contact == "lips") {
-      // The release follows the closure: an unsplit stop is closed for its first part only (what split_stops assumes, too).
+      // The release follows the closure: an unsplit stop is closed for its first part only (what split_stops assumes,
+      // too).
       const bool unsplit = phone.label == "P" || phone.label == "B";
       const double end_s = unsplit ? phone.start_s + 0.6 * length_s : phone.end_s;
       double last_s = phone.end_s;
       if (phone.label.ends_with(".c") && i + 1 < phones.phones.size() && phones.phones[i + 1].label.ends_with(".r"))
         last_s = phones.phones[i + 1].end_s;
       const double edge_s = std::min(0.01, 0.15 * (end_s - phone.start_s));
-      contacts.push_back({ContactKind::lips, i, contact_frames(phone.start_s, end_s, last_s, edge_s, rate_hz, frames), 0});
+      contacts.push_back(
+          {ContactKind::lips, i, contact_frames(phone.start_s, end_s, last_s, edge_s, rate_hz, frames), 0});
     } else if (viseme.contact == "teeth") {
       contacts.push_back({ContactKind::teeth, i,
                           contact_frames(phone.start_s, phone.end_s, phone.end_s, length_s / 4, rate_hz, frames), 0});

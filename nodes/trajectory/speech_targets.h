@@ -9,9 +9,9 @@
 
 namespace face::trajectory {
 
-// How a phone's length changes its pull. none: a frame pulls as the table says. utterance: by 1 - length / utterance, as Ezzat
-// 2002 has it (hardly different from none for a real sentence). duration: by 100 ms / length, so that every phone pulls
-// equally as a whole and short ones are reached as well as long ones.
+// How a phone's length changes its pull. none: a frame pulls as the table says. utterance: by 1 - length / utterance,
+// as Ezzat 2002 has it (hardly different from none for a real sentence). duration: by 100 ms / length, so that every
+// phone pulls equally as a whole and short ones are reached as well as long ones.
 enum class Normalise { none, utterance, duration };
 
 struct SpeechTargetsOptions {

@@ -110,8 +110,8 @@ TEST(BoundedTrajectory, ContinuesAtItsEnds) {
 }
 
 TEST(BoundedTrajectory, SaysThatContradictoryBoundsCannotBeMet) {
-  const BoundedTrajectory solved = solve_bounded_trajectory(
-      {2, 1, {1.0, 1.0}, {0.5, 0.5}}, 1, {{0, {1.0}, 0.6, infinity}, {0, {1.0}, -infinity, 0.2}});
+  const BoundedTrajectory solved = solve_bounded_trajectory({2, 1, {1.0, 1.0}, {0.5, 0.5}}, 1,
+                                                            {{0, {1.0}, 0.6, infinity}, {0, {1.0}, -infinity, 0.2}});
   EXPECT_FALSE(solved.converged);
   for (const double value : solved.values) EXPECT_TRUE(value >= 0 && value <= 1);
 }
@@ -128,7 +128,8 @@ TEST(BoundedTrajectory, APriceThatIsHighEnoughIsNeverPaid) {
   const TrajectoryTargets targets = random_targets(20, 2);
   std::vector<FrameBound> hard = {{9, {3.0, -1.0}, 0.9, 1.0}}, priced = hard;
   priced[0].price = 1000;
-  const BoundedTrajectory a = solve_bounded_trajectory(targets, 10, hard), b = solve_bounded_trajectory(targets, 10, priced);
+  const BoundedTrajectory a = solve_bounded_trajectory(targets, 10, hard),
+                          b = solve_bounded_trajectory(targets, 10, priced);
   ASSERT_TRUE(a.converged && b.converged);
   for (std::size_t i = 0; i < a.values.size(); ++i) EXPECT_NEAR(a.values[i], b.values[i], 1e-6);
 }

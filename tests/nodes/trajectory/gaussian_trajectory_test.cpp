@@ -84,8 +84,7 @@ TEST(GaussianTrajectory, GivesTheSameCurveAtAnotherRate) {
   const auto curve_at_half_a_second = [](double rate_hz) {
     const auto frames = static_cast<std::size_t>(rate_hz);
     TrajectoryTargets targets{frames, 1, std::vector<double>(frames, 4.0), std::vector<double>(frames, 0.0)};
-    for (std::size_t i = 0; i < frames; ++i)
-      targets.target[i] = std::sin(6 * static_cast<double>(i) / rate_hz);
+    for (std::size_t i = 0; i < frames; ++i) targets.target[i] = std::sin(6 * static_cast<double>(i) / rate_hz);
     return solve_trajectory(targets, smoothness_at(10, 30, rate_hz))[frames / 2];
   };
   // The sums are rectangle rules: their error falls with the frame length, 3 % of the range at 30 Hz.

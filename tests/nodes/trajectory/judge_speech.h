@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Judges animated speech on the posed rig by the definitions that the project's goals are stated in. It shares nothing with
-// the code it judges but the vertices that the rig names.
+// Judges animated speech on the posed rig by the definitions that the project's goals are stated in. It shares nothing
+// with the code it judges but the vertices that the rig names.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -20,17 +20,17 @@ namespace test {
 
 struct Verdict {
   int bilabials = 0;
-  double widest_closure_mm = -1e9;    // largest and least of the smallest lip gaps inside /p b m/
+  double widest_closure_mm = -1e9;  // largest and least of the smallest lip gaps inside /p b m/
   double deepest_closure_mm = 1e9;
-  double deepest_gap_mm = 1e9;        // least lip gap of all frames
+  double deepest_gap_mm = 1e9;  // least lip gap of all frames
   int labiodentals = 0;
-  double farthest_teeth_mm = -1e9;    // largest of the smallest lip-teeth distances inside /f v/
-  double deepest_bite_mm = 1e9;       // least signed distance inside /f v/
+  double farthest_teeth_mm = -1e9;  // largest of the smallest lip-teeth distances inside /f v/
+  double deepest_bite_mm = 1e9;     // least signed distance inside /f v/
   int open_vowels = 0;
-  double least_open_mm = 1e9;         // least lip gap at the middle of a long open vowel
-  double high_energy = 0;             // of the weights above 12 Hz, and of the weights without their mean,
-  double whole_energy = 0;            // both outside 30 ms of closures
-  double largest_step = 0;            // of any weight from frame to frame
+  double least_open_mm = 1e9;  // least lip gap at the middle of a long open vowel
+  double high_energy = 0;      // of the weights above 12 Hz, and of the weights without their mean,
+  double whole_energy = 0;     // both outside 30 ms of closures
+  double largest_step = 0;     // of any weight from frame to frame
 
   void add(const Verdict& other) {
     bilabials += other.bilabials;
@@ -56,15 +56,15 @@ inline double judged_gap_mm(const face::Rig& rig, const std::vector<face::Vec3f>
   return sum / static_cast<double>(rig.inner_lips.size());
 }
 
-// The polygons' normals about every vertex of the upper teeth, and whether polygons that are not wholly of the teeth meet
-// there: beyond such a border there is no inside.
+// The polygons' normals about every vertex of the upper teeth, and whether polygons that are not wholly of the teeth
+// meet there: beyond such a border there is no inside.
 struct JudgedTeeth {
   std::vector<std::vector<face::Vec3f>> normals;
   std::vector<bool> border;
 };
 
-// Vertex to vertex; where the lip vertex lies behind every polygon about the nearest vertex of the teeth, minus its depth below
-// the nearest of their planes.
+// Vertex to vertex; where the lip vertex lies behind every polygon about the nearest vertex of the teeth, minus its
+// depth below the nearest of their planes.
 inline double judged_teeth_mm(const face::Rig& rig, const std::vector<face::Vec3f>& posed, const JudgedTeeth& teeth) {
   const auto product = [](const face::Vec3f& a, const face::Vec3f& b) {
     return double{a[0]} * b[0] + double{a[1]} * b[1] + double{a[2]} * b[2];
@@ -186,7 +186,8 @@ inline Verdict judge_speech(const face::Phones& phones, const std::vector<face::
     std::vector<double> curve;
     double mean = 0;
     for (const face::Weights& frame : weights) {
-      if (!curve.empty()) verdict.largest_step = std::max(verdict.largest_step, std::abs(frame.values[s] - curve.back()));
+      if (!curve.empty())
+        verdict.largest_step = std::max(verdict.largest_step, std::abs(frame.values[s] - curve.back()));
       curve.push_back(frame.values[s]);
       mean += frame.values[s] / static_cast<double>(weights.size());
     }

@@ -78,16 +78,17 @@ TEST(ReadVisemes, ANameWithoutASideMeansBoth) {
 }
 
 TEST(ReadVisemes, ASingleShapesSigmaBeatsItsGroups) {
-  const Visemes visemes = read_visemes(
-      edited("\"sigmas\": {\"round\": 0.6}},\n    \"AE\"", "\"sigmas\": {\"mouthPucker\": 2, \"round\": 0.5}},\n    \"AE\""));
+  const Visemes visemes = read_visemes(edited("\"sigmas\": {\"round\": 0.6}},\n    \"AE\"",
+                                              "\"sigmas\": {\"mouthPucker\": 2, \"round\": 0.5}},\n    \"AE\""));
   EXPECT_EQ(entry(visemes, "AA").sigmas[arkit_index("mouthPucker")], 2.0f);
   EXPECT_EQ(entry(visemes, "AA").sigmas[arkit_index("mouthFunnel")], 0.5f);
 }
 
 TEST(ReadVisemes, NamesAMisspeltShape) {
-  EXPECT_THROW_TEXT(read_visemes(edited("\"jawOpen\": 0.46", "\"jawOpne\": 0.46")),
-                    "the viseme table: /visemes/AA/weights/jawOpne names \"jawOpne\", which is not one of ARKit's 52 shapes; "
-                    "did you mean \"jawOpen\"?");
+  EXPECT_THROW_TEXT(
+      read_visemes(edited("\"jawOpen\": 0.46", "\"jawOpne\": 0.46")),
+      "the viseme table: /visemes/AA/weights/jawOpne names \"jawOpne\", which is not one of ARKit's 52 shapes; "
+      "did you mean \"jawOpen\"?");
 }
 
 TEST(ReadVisemes, NamesAMisspeltKey) {
@@ -101,10 +102,11 @@ TEST(ReadVisemes, NamesAMisspeltPhone) {
 }
 
 TEST(ReadVisemes, ListsMissingPhones) {
-  EXPECT_THROW_TEXT(read_visemes(engine::File::from_bytes(R"({"visemes": {"AA": {"weights": {}}}})", ".json")),
-                    "the viseme table: /visemes lacks AE, AH, AO, AW, AY, B, CH, D, DH, EH, ER, EY, F, G, HH, IH, IY, JH, K, "
-                    "L, M, N, NG, OW, OY, P, R, S, SH, T, TH, UH, UW, V, W, Y, Z, ZH, SIL, P.c, P.r, B.c, B.r, T.c, T.r, "
-                    "D.c, D.r, K.c, K.r, G.c, G.r; expected the 39 phones, SIL, and closure and release of P B T D K G");
+  EXPECT_THROW_TEXT(
+      read_visemes(engine::File::from_bytes(R"({"visemes": {"AA": {"weights": {}}}})", ".json")),
+      "the viseme table: /visemes lacks AE, AH, AO, AW, AY, B, CH, D, DH, EH, ER, EY, F, G, HH, IH, IY, JH, K, "
+      "L, M, N, NG, OW, OY, P, R, S, SH, T, TH, UH, UW, V, W, Y, Z, ZH, SIL, P.c, P.r, B.c, B.r, T.c, T.r, "
+      "D.c, D.r, K.c, K.r, G.c, G.r; expected the 39 phones, SIL, and closure and release of P B T D K G");
 }
 
 TEST(ReadVisemes, RejectsAWeightOutOfRange) {

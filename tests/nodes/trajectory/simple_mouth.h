@@ -17,15 +17,15 @@ inline void set_shape(face::Rig& rig, std::string_view name, face::Vec3f upper, 
   }
 }
 
-// Offsets in the size of a real head's. Vertices 0-2 upper lip, 3-5 lower lip, 6-13 the teeth: a box from 3 mm above the
-// mouth's line to 1 mm below it, its front 5 mm behind the lips.
+// Offsets in the size of a real head's. Vertices 0-2 upper lip, 3-5 lower lip, 6-13 the teeth: a box from 3 mm above
+// the mouth's line to 1 mm below it, its front 5 mm behind the lips.
 inline face::Rig simple_mouth() {
   face::Rig rig;
-  rig.neutral.points_mm = {{-8, 0.5f, 100}, {0, 0.5f, 100}, {8, 0.5f, 100}, {-8, -0.5f, 100}, {0, -0.5f, 100}, {8, -0.5f, 100},
-                           {-12, -1, 95},   {12, -1, 95},   {12, 3, 95},    {-12, 3, 95},     {-12, -1, 92},   {12, -1, 92},
-                           {12, 3, 92},     {-12, 3, 92}};
-  for (const std::uint32_t corner : {6u, 7u, 8u, 9u, 11u, 10u, 13u, 12u, 7u, 11u, 12u, 8u, 10u, 6u, 9u, 13u, 9u, 8u, 12u, 13u,
-                                     10u, 11u, 7u, 6u})
+  rig.neutral.points_mm = {{-8, 0.5f, 100}, {0, 0.5f, 100}, {8, 0.5f, 100}, {-8, -0.5f, 100}, {0, -0.5f, 100},
+                           {8, -0.5f, 100}, {-12, -1, 95},  {12, -1, 95},   {12, 3, 95},      {-12, 3, 95},
+                           {-12, -1, 92},   {12, -1, 92},   {12, 3, 92},    {-12, 3, 92}};
+  for (const std::uint32_t corner :
+       {6u, 7u, 8u, 9u, 11u, 10u, 13u, 12u, 7u, 11u, 12u, 8u, 10u, 6u, 9u, 13u, 9u, 8u, 12u, 13u, 10u, 11u, 7u, 6u})
     rig.neutral.corners.push_back(corner);
   for (std::uint32_t f = 0; f <= 6; ++f) rig.neutral.polygon_starts.push_back(4 * f);
   for (const std::string_view name : face::arkit_names) rig.shapes.push_back({std::string(name), {}, {}});

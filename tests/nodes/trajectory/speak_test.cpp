@@ -42,9 +42,9 @@ Spoken spoken(const Phones& phones, const Rig& rig = test::simple_mouth(), const
 }
 
 const std::vector<std::pair<std::string, double>> papa = {
-    {"SIL", 0.2}, {"P.c", 0.06}, {"P.r", 0.03}, {"AA", 0.15}, {"P.c", 0.07}, {"P.r", 0.02}, {"AA", 0.16}, {"M", 0.07},
-    {"AA", 0.12}, {"M", 0.05},   {"AE", 0.1},   {"F", 0.09},  {"AA", 0.1},   {"V", 0.05},   {"OW", 0.2},  {"B.c", 0.05},
-    {"B.r", 0.01}, {"IY", 0.1},  {"SIL", 0.3}};
+    {"SIL", 0.2}, {"P.c", 0.06}, {"P.r", 0.03}, {"AA", 0.15}, {"P.c", 0.07}, {"P.r", 0.02}, {"AA", 0.16},
+    {"M", 0.07},  {"AA", 0.12},  {"M", 0.05},   {"AE", 0.1},  {"F", 0.09},   {"AA", 0.1},   {"V", 0.05},
+    {"OW", 0.2},  {"B.c", 0.05}, {"B.r", 0.01}, {"IY", 0.1},  {"SIL", 0.3}};
 
 TEST(Speak, GivesOneFrameOf52WeightsPerTickWithinZeroAndOne) {
   const Spoken out = spoken(string_of(papa));
@@ -72,7 +72,8 @@ TEST(Speak, MeetsEveryContactAtEveryRate) {
 }
 
 TEST(Speak, ClosesForAPhoneShorterThanAFrame) {
-  const Phones phones = string_of({{"SIL", 0.1}, {"AA", 0.1043}, {"P.c", 0.004}, {"P.r", 0.006}, {"AA", 0.1}, {"SIL", 0.1}});
+  const Phones phones =
+      string_of({{"SIL", 0.1}, {"AA", 0.1043}, {"P.c", 0.004}, {"P.r", 0.006}, {"AA", 0.1}, {"SIL", 0.1}});
   const Spoken out = spoken(phones);
   EXPECT_EQ(out.result.contact_count, 3);
   EXPECT_EQ(out.result.missed_count, 0);
@@ -145,7 +146,8 @@ TEST(Speak, ARigWithoutTeethIsReportedNotRefused) {
 
 TEST(Speak, ARigThatLacksShapesStillCloses) {
   Rig rig = test::simple_mouth();
-  for (const char* name : {"mouthPressLeft", "mouthPressRight", "mouthShrugLower", "mouthUpperUpLeft", "mouthUpperUpRight"})
+  for (const char* name :
+       {"mouthPressLeft", "mouthPressRight", "mouthShrugLower", "mouthUpperUpLeft", "mouthUpperUpRight"})
     rig.shapes[arkit_index(name)] = {name, {}, {}};
   EXPECT_LE(spoken(string_of(papa), rig).result.worst_closure_mm, 0.3);
 }

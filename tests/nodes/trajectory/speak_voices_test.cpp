@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Synthetic voices speak sentences rich in P B M F V with exact phone times; heads mouth them; the lips are judged in mm.
+// Synthetic voices speak sentences rich in P B M F V with exact phone times; heads mouth them; the lips are judged in
+// mm.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,25 +20,24 @@
 namespace face::trajectory {
 namespace {
 
-constexpr std::array sentences = {
-    "Peter Piper picked a peck of pickled peppers by the big brown barn.",
-    "My mother bought a bumper crop of plums and blueberries from Bob.",
-    "The famous baboon above the bamboo hut jumped from branch to branch.",
-    "Have you ever viewed a valley full of vivid violet flowers?",
-    "Maybe Pam will stop by before the summer camp begins.",
-    "Five brave firemen fought a fierce fire for over five hours.",
-    "We were away a year ago while you and I owned a yellow raven.",
-    "The weather in September is often warm, wet, and rather windy.",
-    "Which fresh fish should the chef choose for lunch?",
-    "Please bring me a proper map, a lamp, and a pump before midnight.",
-    "Baby Bobby blew a bubble, but the bubble popped on a pebble.",
-    "Move the empty bamboo pipe up above the pump room, please.",
-    "Half of the puffy muffins vanished from the plate before five.",
-    "A happy puppy jumped up and bumped the lamp by the bed.",
-    "Probably nobody remembers the problem with the public map.",
-    "Beautiful purple plums, ripe melons, and warm apple pie.",
-    "Jump back, climb up, and grab the rope before the boat bumps.",
-    "Mom, may Emma come home from the museum on Monday morning?"};
+constexpr std::array sentences = {"Peter Piper picked a peck of pickled peppers by the big brown barn.",
+                                  "My mother bought a bumper crop of plums and blueberries from Bob.",
+                                  "The famous baboon above the bamboo hut jumped from branch to branch.",
+                                  "Have you ever viewed a valley full of vivid violet flowers?",
+                                  "Maybe Pam will stop by before the summer camp begins.",
+                                  "Five brave firemen fought a fierce fire for over five hours.",
+                                  "We were away a year ago while you and I owned a yellow raven.",
+                                  "The weather in September is often warm, wet, and rather windy.",
+                                  "Which fresh fish should the chef choose for lunch?",
+                                  "Please bring me a proper map, a lamp, and a pump before midnight.",
+                                  "Baby Bobby blew a bubble, but the bubble popped on a pebble.",
+                                  "Move the empty bamboo pipe up above the pump room, please.",
+                                  "Half of the puffy muffins vanished from the plate before five.",
+                                  "A happy puppy jumped up and bumped the lamp by the bed.",
+                                  "Probably nobody remembers the problem with the public map.",
+                                  "Beautiful purple plums, ripe melons, and warm apple pie.",
+                                  "Jump back, climb up, and grab the rope before the boat bumps.",
+                                  "Mom, may Emma come home from the museum on Monday morning?"};
 
 engine::File ict_folder(const std::string& path) {
   std::vector<engine::File::Entry> entries;
@@ -78,11 +78,12 @@ void expect_good_lips(const Rig& rig) {
   EXPECT_GT(all.least_open_mm, 1.0);
   EXPECT_LE(all.high_energy, 0.02 * all.whole_energy);
   EXPECT_LE(all.largest_step, 0.25);
-  std::cout << all.bilabials << " bilabials: gap " << all.deepest_closure_mm << " to " << all.widest_closure_mm << " mm; "
-            << all.labiodentals << " labiodentals: " << all.deepest_bite_mm << " to " << all.farthest_teeth_mm << " mm; "
-            << all.open_vowels << " open vowels: at least " << all.least_open_mm << " mm; above 12 Hz "
-            << 100 * all.high_energy / all.whole_energy << " %; largest step " << all.largest_step << "; deepest gap "
-            << all.deepest_gap_mm << " mm; " << speech_s << " s of speech took " << spent.count() << " s\n";
+  std::cout << all.bilabials << " bilabials: gap " << all.deepest_closure_mm << " to " << all.widest_closure_mm
+            << " mm; " << all.labiodentals << " labiodentals: " << all.deepest_bite_mm << " to "
+            << all.farthest_teeth_mm << " mm; " << all.open_vowels << " open vowels: at least " << all.least_open_mm
+            << " mm; above 12 Hz " << 100 * all.high_energy / all.whole_energy << " %; largest step "
+            << all.largest_step << "; deepest gap " << all.deepest_gap_mm << " mm; " << speech_s << " s of speech took "
+            << spent.count() << " s\n";
 }
 
 TEST(SpeakVoices, LipsOfTheIctHeadMeetInEveryBilabial) {
