@@ -48,7 +48,7 @@ if [ "$(id -u)" -ne 0 ]; then
     "as root run: apt-get install --no-install-recommends $(echo $missing)"
   as_root=(sudo)
 fi
-echo "setup: installing $(wc -w <<<"$missing") packages: $(echo $missing)"
+echo "setup: installing $(wc -w <<<"$missing") of Debian's packages: $(echo $missing)"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 export DEBIAN_FRONTEND=noninteractive
