@@ -186,7 +186,8 @@ void Session::drop_value(Tree* leaf) {
   changed_.notify_all();
 }
 
-// Evicts until the budget holds: what the store has first; what must be made anew only when nothing else goes on.
+// Evicts until the budget holds: what the store has, and what only a gather will read one day; cheap values that a task
+// waits for go only when nothing else goes on.
 void Session::make_room(bool cheap_too) {
   if (used_ <= budget_) return;
   std::deque<Tree*> kept;
@@ -194,7 +195,8 @@ void Session::make_room(bool cheap_too) {
     Tree* leaf = resident_.front();
     resident_.pop_front();
     if (!leaf->value) continue;
-    if (leaf->pins > 0 || (leaf->cheap && !cheap_too)) {
+    const bool awaited = leaf->uses > 0 || !leaf->requests.empty();
+    if (leaf->pins > 0 || (leaf->cheap && awaited && !cheap_too)) {
       kept.push_back(leaf);
       continue;
     }
