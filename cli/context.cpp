@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 namespace cli {
 namespace fs = std::filesystem;
 
 std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
   std::vector<std::string> folders = common.plugin_folders;
+  for (const std::string& folder : folders)
+    if (!fs::is_directory(folder)) throw std::invalid_argument("command line: --plugins " + folder + ": there is no such folder");
   if (const char* set = std::getenv("FACEGRAPH_PLUGINS"))
     for (std::string rest = set; !rest.empty();) {
       const std::size_t colon = std::min(rest.find(':'), rest.size());

@@ -55,6 +55,13 @@ void EventWriter::write(const engine::RunEvent& event) {
   std::fputs((json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str(), file_);
 }
 
+void check_writable(const std::string& path) {
+  if (std::FILE* file = std::fopen(path.c_str(), "ae"))
+    std::fclose(file);
+  else
+    throw engine::EngineError("cannot write " + path + ": " + std::strerror(errno));
+}
+
 void write_summary(const std::string& path, const engine::RunResult& result) {
   const nlohmann::ordered_json json = {{"tasks",
                                         {{"run", result.tasks.run},

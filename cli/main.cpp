@@ -2,7 +2,11 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "engine/base/problem.h"
@@ -95,6 +99,15 @@ int main(int count, char** words) {
 
   try {
     app.parse(count, words);
+  } catch (const CLI::RequiredError& error) {
+    const std::vector<std::string> rest = app.remaining();
+    const auto word = std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
+    if (word == rest.end() || !app.get_subcommands().empty()) return app.exit(error) == 0 ? cli::done : cli::invalid;
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    std::fprintf(stderr, "command line: there is no command '%s'%s\nRun with --help for more information.\n", word->c_str(),
+                 engine::did_you_mean(*word, names).c_str());
+    return cli::invalid;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? cli::done : cli::invalid;
   }

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/events.h"
@@ -18,6 +19,13 @@ void on_signal(int number) { stop_signal = number; }
 }  // namespace
 
 int run(const Common& common, const RunArguments& arguments) {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+
   const auto plugins = open_plugins(common);
   engine::Graph graph;
   if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
@@ -26,13 +34,7 @@ int run(const Common& common, const RunArguments& arguments) {
     return invalid;
   }
   const auto store = open_store(common);
-
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  if (!arguments.summary.empty()) check_writable(arguments.summary);
 
   ProgressPrinter progress(arguments.quiet);
   EventWriter events(arguments.events);
@@ -50,7 +52,9 @@ int run(const Common& common, const RunArguments& arguments) {
     if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(interrupted);
     ::_exit(interrupted);
   };
+  std::set<std::string> told;  // failures are told as they happen
   options.observer = [&](const engine::RunEvent& event) {
+    if (event.kind == engine::RunEvent::Kind::failed) told.insert(event.text);
     events.write(event);
     progress.show(event);
   };
@@ -61,15 +65,21 @@ int run(const Common& common, const RunArguments& arguments) {
     std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);
     return interrupted;
   }
-  if (!arguments.quiet || result.tasks.failed > 0) {
-    if (result.tasks.failed > 0)
-      for (const std::string& failure : result.failures) std::fprintf(stderr, "%s\n", failure.c_str());
+  for (const std::string& failure : result.failures)
+    if (!told.contains(failure)) std::fprintf(stderr, "failed: %s\n", failure.c_str());
+  const bool failed = result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty();
+  if (!arguments.quiet || failed)
     std::fprintf(stderr, "%zu run, %zu reused, %zu failed, %zu blocked in %.2f s\n", result.tasks.run, result.tasks.reused,
                  result.tasks.failed, result.tasks.blocked, result.seconds);
+  if (!failed && arguments.to.empty()) {
+    if (!arguments.out.empty() && result.published.empty())
+      std::fprintf(stderr, "warning: nothing was published: the sequences that the outputs are made of have no elements\n");
+    if (arguments.out.empty() && !arguments.quiet)
+      std::fprintf(stderr, "nothing was published: say where with --out FOLDER\n");
   }
   if (!arguments.quiet)
     for (const std::string& path : result.published) std::fprintf(stdout, "%s\n", path.c_str());
-  return result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty() ? task_failed : done;
+  return failed ? task_failed : done;
 }
 
 }  // namespace cli

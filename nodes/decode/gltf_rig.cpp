@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 #include "nodes/base/check.h"
@@ -379,6 +380,12 @@ tinygltf::Model load(const engine::File& given, const engine::File& main, const 
     fail(title,
          ": is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an ICT-FaceKit folder, or a GLB or glTF "
          "file with morph targets");
+  if (binary && bytes.size() >= 12) {
+    std::uint32_t stated = 0;  // glTF 2.0, section 4.4.2: the file's length, little endian
+    for (std::size_t i = 12; i-- > 8;) stated = stated << 8 | static_cast<std::uint8_t>(bytes[i]);
+    if (stated > bytes.size())
+      fail(title, ": is truncated: found ", bytes.size(), " bytes, its header promises ", stated);
+  }
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_for(given));
   // Pictures are left as they are: parts have a colour each.

@@ -267,6 +267,7 @@ AlignResult align(const Audio& audio, const std::string* text, const engine::Fil
     warnings.insert(warnings.end(), places.begin(), places.end());
     warnings.insert(warnings.end(), wordless.begin(), wordless.end());
   }
+  if (!has_words && speech.silent) warnings.push_back("the audio is silent: no phone was recognised");
   result.phones = split_stops({std::move(phones), duration_s, has_words}, &audio);
   for (const std::string& warning : warnings) {
     progress.warn(warning);

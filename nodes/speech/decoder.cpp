@@ -8,6 +8,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <set>
@@ -49,6 +50,18 @@ std::string model_file(const engine::File& model, const std::string& name) {
   if (!model.entries().empty()) return {};
   const std::filesystem::path path = std::filesystem::path(model.path()) / name;
   return std::filesystem::is_regular_file(path) ? path.string() : std::string();
+}
+
+// PocketSphinx takes a file that is no language model without a word, and recognises phones without one.
+void check_phone_model(const engine::File& file) {
+  constexpr std::size_t looked_at = 1 << 16;
+  std::string start(looked_at, '\0');
+  std::ifstream in(file.path(), std::ios::binary);
+  in.read(start.data(), looked_at);
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  const bool known = start.starts_with("Trie Language Model") || start.substr(0, 32).find("Darpa") != std::string::npos ||
+                     start.find("\\data\\") != std::string::npos || start.starts_with("\x1F\x8B") || start.starts_with("BZh");
+  check(known, file.name(), ": is not a phone model: expected a language model over phones, as PocketSphinx's binary or ARPA text");
 }
 
 }  // namespace
@@ -128,6 +141,7 @@ std::vector<DecodedWord> Decoder::decode(const Grammar& grammar, std::span<const
 
 std::vector<DecodedWord> Decoder::decode_phones(const engine::File* phone_model,
                                                 std::span<const std::int16_t> samples) {
+  if (phone_model) check_phone_model(*phone_model);
   ps_decoder_t* decoder = state_->decoder.get();
   const int set = phone_model ? ps_set_allphone_file(decoder, "phones", phone_model->path().c_str())
                               : ps_set_allphone(decoder, "phones", nullptr);

@@ -20,6 +20,8 @@ Pronunciations read_dictionary(const engine::File& dictionary, const std::set<st
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty() || line.starts_with(";;;") || line[0] == '#') continue;
     const std::size_t blank = line.find_first_of(" \t");
+    check(line.find('\0') == std::string::npos, dictionary.name(), ":", number,
+          ": found a byte 0, expected the text of a dictionary: a word and its phones");
     check(blank != std::string::npos && blank > 0, dictionary.name(), ":", number, ": found \"", line.substr(0, 40),
           "\", expected a word and its phones");
     ++entries;
