@@ -28,7 +28,7 @@ for flag in avx2 bmi2 fma movbe; do
 done
 
 wanted=$(for group in "$@"; do awk -v group="$group" '$1 == group {print $2}' tools/packages.txt; done)
-system=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}" || echo unknown)
+system=$(. /usr/lib/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}" || echo unknown)
 if [ "$system" != "debian 12" ] || ! command -v dpkg-query >/dev/null; then
   fail "this system is '$system'; packages can be installed on Debian 12 only" \
        "elsewhere install what stands for these, then set FACEGRAPH_SKIP_SETUP=1: $(echo $wanted)"
