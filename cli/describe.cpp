@@ -22,8 +22,10 @@ int describe(const Common& common, const DescribeArguments& arguments) {
     std::printf("%s", engine::describe_type(type->second, *plugins).c_str());
     return done;
   }
+  std::vector<std::string> names = plugins->node_names();
+  for (const auto& [name, summary] : plugins->types()) names.push_back(name);
   std::fprintf(stderr, "there is no node or type '%s'%s\n", arguments.name.c_str(),
-               engine::did_you_mean(arguments.name, plugins->node_names()).c_str());
+               engine::did_you_mean(arguments.name, names).c_str());
   return invalid;
 }
 

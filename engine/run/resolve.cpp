@@ -267,15 +267,18 @@ std::string Session::name_of(const Task& task) const {
   return node(task.node).id + (task.element.empty() ? "" : "[" + task.element + "]");
 }
 
-std::vector<KeyPart> Session::own_parts(const Task& task) {
-  const NodeInfo& info = *node(task.node).info;
+std::vector<KeyPart> Session::parts_with(int node_index, const std::vector<ParamValue>& params) {
+  const NodeInfo& info = *node(node_index).info;
   std::vector<KeyPart> parts;
   parts.push_back({"version", std::to_string(info.version), ""});
   parts.push_back({"plugin " + plugins_.plugin_of(info.name), plugins_.digest(info.name).hex(), ""});
-  const std::vector<ParamValue>& params = params_of(task);
   for (std::size_t i = 0; i < params.size(); ++i) parts.push_back({"parameter " + info.params[i].name, to_text(params[i]), ""});
   return parts;
 }
+
+std::vector<KeyPart> Session::own_parts(const Task& task) { return parts_with(task.node, params_of(task)); }
+
+std::vector<KeyPart> Session::shared_parts(int node_index) { return parts_with(node_index, node(node_index).params); }
 
 std::vector<KeyPart> Session::key_parts(const Task& task) {
   const NodeInfo& info = *node(task.node).info;

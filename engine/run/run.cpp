@@ -106,7 +106,7 @@ class Explainer {
     result.fate = planned(session_, task).fate;
     const Digest before = old_key(task);
     result.seen_before = !before.empty();
-    if (result.fate == PlannedTask::Fate::cached && before == task.key) return result;
+    if (result.fate == PlannedTask::Fate::cached && (before == task.key || before.empty())) return result;
     visited_.clear();
     causes_.clear();
     path_.clear();
@@ -120,13 +120,15 @@ class Explainer {
     const std::string& node = session_.node(task.node).id;
     auto known = histories_.find(node);
     if (known == histories_.end()) {
-      std::map<std::string, Digest> keys;
-      if (const auto history = store_.history(graph_path_, node))
-        for (const NodeHistory::Entry& entry : history->entries) keys[entry.element] = entry.key;
-      known = histories_.emplace(node, std::move(keys)).first;
+      Past past;
+      if (const auto history = store_.history(graph_path_, node)) {
+        for (const NodeHistory::Entry& entry : history->entries) past.keys[entry.element] = entry.key;
+        past.parts = history->parts;
+      }
+      known = histories_.emplace(node, std::move(past)).first;
     }
-    const auto entry = known->second.find(task.element);
-    return entry == known->second.end() ? Digest{} : entry->second;
+    const auto entry = known->second.keys.find(task.element);
+    return entry == known->second.keys.end() ? Digest{} : entry->second;
   }
 
   void cause(const Task& task, std::string what) {
@@ -162,26 +164,37 @@ class Explainer {
     const Digest before = old_key(task);
     if (before.empty()) {
       const std::size_t known = causes_.size();
-      if (!histories_[session_.node(task.node).id].empty())
+      if (!histories_[session_.node(task.node).id].keys.empty())
         return cause(task, "element '" + task.element + "' is new");
       upstream(task);
       if (causes_.size() == known) cause(task, "this graph file has not run it before");
       return;
     }
     if (task.key == before) return cause(task, "its result is no longer in the store");
+    // A cheap task has no record: what it shares with the node's other elements is in the node's history.
     const auto record = store_.find(before);
-    const bool unknown = task.key.empty();
-    const std::vector<KeyPart> now = unknown ? session_.own_parts(task) : session_.key_parts(task);
+    const std::vector<KeyPart>& then = record ? record->parts : histories_[session_.node(task.node).id].parts;
+    const bool inputs_known = record && !task.key.empty();
     bool found = false;
-    if (record) {
-      for (const KeyPart& part : now) {
-        const auto old = std::find_if(record->parts.begin(), record->parts.end(), [&](const KeyPart& p) { return p.label == part.label; });
-        if (old != record->parts.end() && old->value == part.value) continue;
-        found |= compare(task, part, old == record->parts.end() ? nullptr : &*old);
-      }
+    for (const KeyPart& part : inputs_known ? session_.key_parts(task) : session_.own_parts(task)) {
+      const auto old = std::find_if(then.begin(), then.end(), [&](const KeyPart& p) { return p.label == part.label; });
+      if (old != then.end() && old->value == part.value) continue;
+      found |= compare(task, part, old == then.end() ? nullptr : &*old);
     }
     if (upstream(task)) found = true;
-    if (!found) cause(task, record ? "the elements that it reads are others than before" : "its parameters, version, plugin or inputs changed");
+    if (!found) found = sources(task);
+    if (!found) cause(task, "the elements that it reads are others than before");
+  }
+
+  // Files that a task without a record reads: nothing else of it can have changed.
+  bool sources(const Task& task) {
+    bool any = false;
+    for (const KeyPart& part : task.key.empty() ? std::vector<KeyPart>{} : session_.key_parts(task))
+      if (part.origin.rfind("file:", 0) == 0) {
+        cause(task, "file " + part.origin.substr(5) + " changed");
+        any = true;
+      }
+    return any;
   }
 
   // True where the difference of one part is a cause of its own.
@@ -214,7 +227,11 @@ class Explainer {
   Session& session_;
   Store& store_;
   const std::string& graph_path_;
-  std::map<std::string, std::map<std::string, Digest>> histories_;
+  struct Past {
+    std::map<std::string, Digest> keys;  // by element
+    std::vector<KeyPart> parts;
+  };
+  std::map<std::string, Past> histories_;
   TaskSet visited_;
   std::vector<std::string> path_;
   std::vector<Cause> causes_;
@@ -257,9 +274,9 @@ Plan plan_graph(const Graph& graph, Plugins& plugins, Store& store) {
     const GraphNode& node = graph.nodes[n];
     if (!node.needed || seen[n] || node.info->structural != Structural::none || node.mapped_depth == 0) continue;
     PlannedTask entry{PlannedTask::Fate::unknown_length, node.id, node.info->name, "", ""};
-    for (const auto& port : node.inputs)
-      for (const Source& source : port)
-        if (entry.depends_on.empty() && source.kind == Source::Kind::node)
+    for (std::size_t p = 0; p < node.inputs.size(); ++p)
+      for (const Source& source : node.inputs[p])
+        if (entry.depends_on.empty() && source.kind == Source::Kind::node && node.input_depth[p] > node.info->inputs[p].depth)
           entry.depends_on = graph.nodes[static_cast<std::size_t>(source.node)].id;
     plan.tasks.push_back(std::move(entry));
   }

@@ -35,7 +35,10 @@ void Session::finish_run(RunResult& result) {
   std::map<int, NodeHistory> histories;
   for (const Task& task : tasks_)
     if (!task.key.empty()) histories[task.node].entries.push_back({task.element, task.key});
-  for (const auto& [index, history] : histories) store_.set_history(graph_.path, node(index).id, history);
+  for (auto& [index, history] : histories) {
+    history.parts = shared_parts(index);
+    store_.set_history(graph_.path, node(index).id, history);
+  }
   store_.flush();
 }
 

@@ -170,6 +170,7 @@ class Session {
   const std::vector<ParamValue>& params_of(const Task& task) const;
   std::vector<KeyPart> key_parts(const Task& task);   // everything that went into its key
   std::vector<KeyPart> own_parts(const Task& task);   // without its inputs: version, plugin, parameters
+  std::vector<KeyPart> shared_parts(int node_index);  // the same of a node without overrides
   std::string name_of(const Task& task) const;
   // The value of a leaf: from memory, the store, or made anew. May wait; call without the lock.
   Value fetch(Tree* leaf, const TypeInfo& type);
@@ -210,6 +211,7 @@ class Session {
   void drain();           // resolves what has settled; a queue, since chains of priors are thousands long
   void resolve(Task& task);
   Digest key_of(Task& task);
+  std::vector<KeyPart> parts_with(int node_index, const std::vector<ParamValue>& params);
   const Digest& prefix_of(int node, const std::vector<ParamValue>* overridden);
   void install(Task& task, const std::vector<OutputRecord>& outputs);
   void install_cheap(Task& task);

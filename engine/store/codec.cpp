@@ -24,6 +24,25 @@ std::span<const std::uint8_t> unsealed(std::span<const std::uint8_t> bytes) {
   return content;
 }
 
+void write_parts(ByteWriter& writer, const std::vector<KeyPart>& parts) {
+  writer.count(parts.size());
+  for (const KeyPart& part : parts) {
+    writer.text(part.label);
+    writer.text(part.value);
+    writer.text(part.origin);
+  }
+}
+
+std::vector<KeyPart> read_parts(ByteReader& reader) {
+  std::vector<KeyPart> parts(reader.count(24));
+  for (KeyPart& part : parts) {
+    part.label = reader.text();
+    part.value = reader.text();
+    part.origin = reader.text();
+  }
+  return parts;
+}
+
 }  // namespace
 
 Bytes encode_outputs(const std::vector<OutputRecord>& outputs) {
@@ -61,12 +80,7 @@ Bytes encode_details(const TaskRecord& record) {
   writer.number(record.seconds);
   writer.count(record.warnings.size());
   for (const std::string& warning : record.warnings) writer.text(warning);
-  writer.count(record.parts.size());
-  for (const KeyPart& part : record.parts) {
-    writer.text(part.label);
-    writer.text(part.value);
-    writer.text(part.origin);
-  }
+  write_parts(writer, record.parts);
   return sealed(std::move(bytes));
 }
 
@@ -75,12 +89,7 @@ void decode_details(std::span<const std::uint8_t> bytes, TaskRecord& record) {
   record.seconds = reader.number<double>();
   record.warnings.resize(reader.count(8));
   for (std::string& warning : record.warnings) warning = reader.text();
-  record.parts.resize(reader.count(24));
-  for (KeyPart& part : record.parts) {
-    part.label = reader.text();
-    part.value = reader.text();
-    part.origin = reader.text();
-  }
+  record.parts = read_parts(reader);
 }
 
 Bytes encode_history(const NodeHistory& history) {
@@ -91,6 +100,7 @@ Bytes encode_history(const NodeHistory& history) {
     writer.raw(entry.key.bytes.data(), entry.key.bytes.size());
     writer.text(entry.element);
   }
+  write_parts(writer, history.parts);
   return sealed(std::move(bytes));
 }
 
@@ -102,6 +112,7 @@ NodeHistory decode_history(std::span<const std::uint8_t> bytes) {
     reader.raw(entry.key.bytes.data(), entry.key.bytes.size());
     entry.element = reader.text();
   }
+  history.parts = read_parts(reader);
   return history;
 }
 
