@@ -43,7 +43,7 @@ struct NodeHistory {
     Digest key;
   };
   std::vector<Entry> entries;
-  std::vector<KeyPart> parts;  // version, plugin and parameters that all of them share
+  std::vector<KeyPart> parts = {};  // version, plugin and parameters that all of them share
 };
 
 struct StoreStat {
