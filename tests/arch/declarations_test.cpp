@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// A node's declaration and the C++ that it declares have the same names; every node has a doc and a test.
+#include <regex>
+
+#include "tests/arch/source_tree.h"
+
+namespace {
+
+using namespace test;
+
+// Code without comments; every other character keeps its place.
+std::string without_comments(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      for (++i; i < text.size() && text[i] != '"'; ++i)
+        if (text[i] == '\\') ++i;
+    } else if (text.compare(i, 2, "//") == 0) {
+      for (; i < text.size() && text[i] != '\n'; ++i) text[i] = ' ';
+    } else if (text.compare(i, 2, "/*") == 0) {
+      const std::size_t end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
+      for (; i < end; ++i)
+        if (text[i] != '\n') text[i] = ' ';
+    }
+  }
+  return text;
+}
+
+// The text between a bracket and its partner; open is the place of "(".
+std::string inside(const std::string& text, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')' && --depth == 0) return text.substr(open + 1, i - open - 1);
+  }
+  return {};
+}
+
+// "const Seq<Pair<A, B>>& a, int b" -> two
+std::vector<std::string> arguments_of(const std::string& list) {
+  std::vector<std::string> arguments(1);
+  int depth = 0;
+  for (const char c : list) {
+    if (c == '<' || c == '(' || c == '{') ++depth;
+    if (c == '>' || c == ')' || c == '}') --depth;
+    if (c == ',' && depth == 0)
+      arguments.emplace_back();
+    else
+      arguments.back() += c;
+  }
+  if (arguments.size() == 1 && arguments[0].find_first_not_of(" \n\t") == std::string::npos) arguments.clear();
+  return arguments;
+}
+
+std::string line_of(const std::string& text, std::size_t at) {
+  return std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1);
+}
+
+struct Name {
+  std::string declared;
+  std::string member;  // of param and output: S::member; empty for input and whole outputs
+  std::string place;
+};
+
+struct Declaration {
+  std::string file, node, function, owner;
+  bool doc = false;
+  std::vector<Name> inputs, params, member_outputs, whole_outputs;
+};
+
+Declaration declaration_of(const std::string& file) {
+  Declaration found;
+  found.file = file;
+  const std::string text = without_comments(text_of(file));
+  std::smatch match;
+  const std::regex head("NODE\\(\\s*\"([^\"]*)\"\\s*,\\s*&([\\w:]+)");
+  EXPECT_TRUE(std::regex_search(text, match, head)) << file << ":1: no NODE(\"name\", &function, ...)";
+  if (match.empty()) return found;
+  found.node = match[1];
+  const std::string qualified = match[2];
+  found.function = qualified.substr(qualified.rfind(':') == std::string::npos ? 0 : qualified.rfind(':') + 1);
+  found.doc = std::regex_search(text, std::regex("\\bdoc\\{\\s*\"[^\"]+"));
+
+  const std::regex word("\\b(input\\{|param\\(|output\\()\\s*\"([^\"]*)\"\\s*,\\s*(?:&([\\w:]+)::(\\w+))?");
+  for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) {
+    const std::string kind = (*i)[1];
+    const Name name{(*i)[2], (*i)[4], file + ":" + line_of(text, static_cast<std::size_t>(i->position()))};
+    if (kind == "input{") found.inputs.push_back(name);
+    if (kind == "output(") (name.member.empty() ? found.whole_outputs : found.member_outputs).push_back(name);
+    if (kind == "param(") {
+      found.params.push_back(name);
+      const std::string owner = (*i)[3];
+      found.owner = owner.substr(owner.rfind(':') == std::string::npos ? 0 : owner.rfind(':') + 1);
+    }
+  }
+  return found;
+}
+
+struct Argument {
+  std::string type, name;
+};
+
+// The function's arguments as the header declares them.
+bool find_function(const Declaration& declaration, std::vector<Argument>& arguments, std::string& place) {
+  for (const Include& include : includes_of(declaration.file)) {
+    if (include.angled || include.file == "engine/node.h") continue;
+    const std::string text = without_comments(text_of(include.file));
+    std::smatch match;
+    if (!std::regex_search(text, match, std::regex("\\n[\\w:<>&* ]+[ &*]" + declaration.function + "\\("))) continue;
+    const std::size_t open = static_cast<std::size_t>(match.position() + match.length()) - 1;
+    place = include.file + ":" + line_of(text, open);
+    for (std::string argument : arguments_of(inside(text, open))) {
+      argument = argument.substr(0, argument.find('='));
+      std::smatch parts;
+      if (std::regex_match(argument, parts, std::regex("\\s*([\\s\\S]*[\\s&*>])(\\w+)\\s*")))
+        arguments.push_back({parts[1], parts[2]});
+      else
+        arguments.push_back({argument, "(no name)"});
+    }
+    return true;
+  }
+  return false;
+}
+
+std::vector<std::string> node_files() {
+  std::vector<std::string> files = files_below("nodes", {".node.cpp"});
+  const std::vector<std::string> others = files_below("plugins", {".node.cpp"});
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
+TEST(Declarations, InputsAreNamedLikeTheArgumentsInTheirOrder) {
+  for (const std::string& file : node_files()) {
+    const Declaration declaration = declaration_of(file);
+    std::vector<Argument> arguments;
+    std::string place;
+    if (!find_function(declaration, arguments, place)) {
+      ADD_FAILURE() << file << ":1: function " << declaration.function << " is declared in no header that is included";
+      continue;
+    }
+    std::vector<std::string> inputs, writers;
+    for (const Argument& argument : arguments) {
+      const auto is = [&](const std::string& type) { return argument.type.find(type) != std::string::npos; };
+      if (is("Progress&") || is("Prior<")) continue;
+      if (is("SeqWriter<")) {
+        writers.push_back(argument.name);
+        continue;
+      }
+      const bool options =
+          !declaration.owner.empty() && std::regex_search(argument.type, std::regex("\\b" + declaration.owner + "\\b"));
+      if (!options) inputs.push_back(argument.name);
+    }
+    for (std::size_t i = 0; i < std::max(inputs.size(), declaration.inputs.size()); ++i) {
+      const std::string argument = i < inputs.size() ? inputs[i] : "(none)";
+      const std::string declared = i < declaration.inputs.size() ? declaration.inputs[i].declared : "(none)";
+      EXPECT_EQ(declared, argument) << (i < declaration.inputs.size() ? declaration.inputs[i].place : file + ":1")
+                                    << ": input " << i << " of " << declaration.node << "; its argument is at "
+                                    << place;
+    }
+    // Writers come last; a whole result, which has no name in C++, first.
+    const std::size_t wholes = declaration.whole_outputs.size();
+    for (std::size_t i = 0; i < writers.size() && writers.size() <= wholes; ++i) {
+      const Name& declared = declaration.whole_outputs[wholes - writers.size() + i];
+      EXPECT_EQ(declared.declared, writers[i])
+          << declared.place << ": output of " << declaration.node << "; its SeqWriter is at " << place;
+    }
+  }
+}
+
+TEST(Declarations, ParametersAndOutputsAreNamedLikeTheirMembers) {
+  for (const std::string& file : node_files()) {
+    const Declaration declaration = declaration_of(file);
+    for (const Name& name : declaration.params)
+      EXPECT_EQ(name.declared, name.member) << name.place << ": parameter of " << declaration.node;
+    for (const Name& name : declaration.member_outputs)
+      EXPECT_EQ(name.declared, name.member) << name.place << ": output of " << declaration.node;
+  }
+}
+
+TEST(Declarations, FileAndFunctionHaveOneName) {
+  for (const std::string& file : files_below("nodes", {".node.cpp"})) {
+    const Declaration declaration = declaration_of(file);
+    const std::string stem = fs::path(file).stem().stem().string();
+    EXPECT_EQ(declaration.function, stem) << file << ":1: the function is named like the file";
+    // area.verb_noun, or area.noun where the area is the verb.
+    const std::string area = second_folder(file) + ".";
+    EXPECT_TRUE(declaration.node.starts_with(area))
+        << file << ":1: node " << declaration.node << " is not of area " << area;
+    const std::string last = declaration.node.substr(declaration.node.find_last_of("._") + 1);
+    EXPECT_TRUE(stem == last || stem.ends_with("_" + last))
+        << file << ":1: node " << declaration.node << " and its file end in different words";
+  }
+}
+
+TEST(Declarations, EveryNodeHasADoc) {
+  for (const std::string& file : node_files()) EXPECT_TRUE(declaration_of(file).doc) << file << ":1: no doc{\"...\"}";
+}
+
+TEST(Declarations, ANodeFileHoldsOneDeclarationAndNoLogic) {
+  const std::regex logic("\\b(for|while|if|switch|return)\\b\\s*[({]?");
+  const std::regex text_literal("\"(?:[^\"\\\\]|\\\\.)*\"");
+  for (const std::string& file : node_files()) {
+    const std::string text = std::regex_replace(without_comments(text_of(file)), text_literal, "\"\"");
+    std::smatch match;
+    EXPECT_FALSE(std::regex_search(text, match, logic)) << file << ":1: \"" << match.str() << "\" in a node file";
+    std::size_t count = 0;
+    for (std::size_t at = text.find("NODE("); at != std::string::npos; at = text.find("NODE(", at + 1)) ++count;
+    EXPECT_EQ(count, 1u) << file << ":1: one NODE(...) per file";
+  }
+}
+
+TEST(Declarations, EveryNodeHasATestThatMentionsItsFunction) {
+  for (const std::string& file : files_below("nodes", {".node.cpp"})) {
+    const Declaration declaration = declaration_of(file);
+    const std::string folder = "tests/nodes/" + second_folder(file);
+    const std::regex call("\\b" + declaration.function + "\\b\\s*\\(");
+    bool found = false;
+    for (const std::string& test : files_below(folder, {"_test.cpp"}))
+      found = found || std::regex_search(text_of(test), call);
+    EXPECT_TRUE(found) << file << ":1: no test in " << folder << " calls " << declaration.function;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the engine itself costs: tasks that do next to nothing, run into a fresh store, and the same graph again with
+// nothing to do. The whole run is timed, from reading the graph to publishing; starting the process is not.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/toy_run.h"
+
+namespace {
+
+// A cheap sequence of numbers -> map -> map -> map -> gather: 3 * count + 1 tasks whose results are stored.
+class Chain {
+ public:
+  explicit Chain(std::int64_t count) : plugins_({FACEGRAPH_PLUGIN_DIR}) {
+    std::ofstream(folder_.path() / "graph.json") << R"({"facegraph": 1, "nodes": {
+    "numbers": {"node": "toy.count_up", "params": {"count": )"
+                                                 << count << R"(}},
+    "one": {"node": "toy.add", "inputs": {"a": "numbers"}, "params": {"amount": 1}},
+    "two": {"node": "toy.add", "inputs": {"a": "one"}, "params": {"amount": 2}},
+    "three": {"node": "toy.add", "inputs": {"a": "two"}, "params": {"amount": 3}},
+    "sum": {"node": "toy.sum_all", "inputs": {"numbers": "three"}},
+    "digits": {"node": "toy.number_text", "inputs": {"number": "sum"}},
+    "file": {"node": "toy.write_text", "inputs": {"text": "digits"}}},
+  "outputs": {"sum.txt": "file"}})";
+    plugins_.load("toy.add");
+    plugins_.digest("toy.add");
+  }
+
+  // Opens the store, reads and runs the graph; closes the store.
+  engine::RunResult run() {
+    const auto store = engine::Store::open((folder_.path() / "store").string());
+    engine::GraphContext context;
+    context.find_node = [&](std::string_view name) { return plugins_.find(name); };
+    context.node_names = [&] { return plugins_.node_names(); };
+    context.absent_plugin = [](std::string_view) { return std::string(); };
+    const auto reading =
+        engine::read_graph((folder_.path() / "graph.json").string(), {}, folder_.path().string(), context);
+    engine::RunOptions options;
+    options.out_folder = (folder_.path() / "out").string();
+    return engine::run_graph(reading.graph, plugins_, *store, options);
+  }
+  void forget() {
+    std::filesystem::remove_all(folder_.path() / "store");
+    std::filesystem::remove_all(folder_.path() / "out");
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+  engine::Plugins plugins_;
+};
+
+void per_task(benchmark::State& state, std::size_t tasks) {
+  state.counters["tasks"] = static_cast<double>(tasks);
+  state.counters["per_task"] = benchmark::Counter(static_cast<double>(tasks) * static_cast<double>(state.iterations()),
+                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void store_small_tasks(benchmark::State& state) {
+  Chain chain(state.range(0));
+  std::size_t tasks = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    chain.forget();
+    state.ResumeTiming();
+    const engine::RunResult result = chain.run();
+    tasks = result.tasks.run;
+    if (!result.failures.empty()) state.SkipWithError(result.failures[0].c_str());
+  }
+  per_task(state, tasks);
+}
+BENCHMARK(store_small_tasks)->ArgName("elements")->Arg(250)->Arg(25'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void rerun_with_nothing_to_do(benchmark::State& state) {
+  Chain chain(state.range(0));
+  chain.run();
+  std::size_t tasks = 0;
+  for (auto _ : state) {
+    const engine::RunResult result = chain.run();
+    tasks = result.tasks.reused;
+    if (result.tasks.run > 0) state.SkipWithError("something ran");
+  }
+  per_task(state, tasks);
+}
+BENCHMARK(rerun_with_nothing_to_do)
+    ->ArgName("elements")
+    ->Arg(250)
+    ->Arg(25'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace

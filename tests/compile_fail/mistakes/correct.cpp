@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// expect: nothing
+#include "engine/node.h"
+#include "tests/compile_fail/mistakes/blur.h"
+using namespace engine::declare;
+using namespace mistakes;
+
+NODE("image.blur", &blur, version{1},
+     doc{"Blurs."},
+     input{"image", "Picture"}, input{"mask", "Where"},
+     param("radius_px", &BlurOptions::radius_px, range{0, 9}, unit{"px"}, "Width"),
+     param("fast", &BlurOptions::fast, "Roughly"),
+     param("edge", &BlurOptions::edge, {{"keep", Edge::keep}, {"fade", Edge::fade}}, "Ends"),
+     output("sharpness", &BlurResult::sharpness, "Before"));
