@@ -28,7 +28,7 @@ int main(int count, char** words) {
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 16 << 20);
 
-  CLI::App app{"Facegraph: facial performance and speech animation as a graph of nodes."};
+  CLI::App app{"Facegraph: runs a graph of nodes, and of it only what has changed."};
   app.require_subcommand(1);
   app.option_defaults()->always_capture_default(false);
   cli::Common common;

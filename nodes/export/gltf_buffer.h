@@ -2,7 +2,7 @@
 #pragma once
 #include <bit>
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +13,7 @@ namespace face::exports {
 
 static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian and written as they lie in memory");
 
-// Builds the binary chunk of a glTF file with its accessors and buffer views. For .cpp files of this area only.
+// Builds the binary chunk of a glTF file with its accessors and buffer views.
 class GltfBuffer {
  public:
   enum class Target { none = 0, vertices = 34962, indices = 34963 };
@@ -26,8 +26,8 @@ class GltfBuffer {
   // count vectors that are zero but for some; `vertices` ascending.
   int add_sparse_vectors(std::size_t count, const std::vector<std::uint32_t>& vertices, const std::vector<Vec3f>& values);
 
-  nlohmann::json accessors = nlohmann::json::array();
-  nlohmann::json views = nlohmann::json::array();
+  std::vector<nlohmann::json> accessors;
+  std::vector<nlohmann::json> views;
   std::string bytes;
 
  private:
