@@ -36,7 +36,8 @@ std::string Digest::hex() const {
 
 Digest Digest::from_hex(std::string_view text) {
   Digest digest;
-  if (text.size() != 64) throw std::invalid_argument("a digest has 64 hexadecimal digits, found " + std::to_string(text.size()));
+  if (text.size() != 64)
+    throw std::invalid_argument("a digest has 64 hexadecimal digits, found " + std::to_string(text.size()));
   for (std::size_t i = 0; i < 32; ++i) {
     const int high = nibble(text[2 * i]);
     const int low = nibble(text[2 * i + 1]);
@@ -62,7 +63,9 @@ Digest digest_of(std::string_view text) {
   return digest_of(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-Hasher::Hasher() : context_(EVP_MD_CTX_new()) { EVP_DigestInit_ex2(static_cast<EVP_MD_CTX*>(context_), sha256(), nullptr); }
+Hasher::Hasher() : context_(EVP_MD_CTX_new()) {
+  EVP_DigestInit_ex2(static_cast<EVP_MD_CTX*>(context_), sha256(), nullptr);
+}
 Hasher::~Hasher() { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(context_)); }
 
 Hasher& Hasher::write(std::span<const std::uint8_t> bytes) {

@@ -27,7 +27,8 @@ std::string canonical_id(std::string_view text) {
   }
   // digits-digits would read as a range of ids.
   const std::size_t dash = text.find('-');
-  if (dash != std::string_view::npos && digits_only(text.substr(0, dash)) && digits_only(text.substr(dash + 1))) return {};
+  if (dash != std::string_view::npos && digits_only(text.substr(0, dash)) && digits_only(text.substr(dash + 1)))
+    return {};
   return std::string(text);
 }
 

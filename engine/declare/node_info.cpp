@@ -45,8 +45,8 @@ OutputInfo output(const char* name, const char* type, int depth, const char* doc
   return info;
 }
 
-ParamInfo param(const char* name, ParamKind kind, bool list, ParamValue initial, const char* unit, double low, double high,
-                const char* doc) {
+ParamInfo param(const char* name, ParamKind kind, bool list, ParamValue initial, const char* unit, double low,
+                double high, const char* doc) {
   ParamInfo info;
   info.name = name;
   info.doc = doc;
@@ -64,43 +64,52 @@ constexpr double most = 9007199254740991.0;  // the integers that JSON carries e
 std::vector<NodeInfo> make_structural_nodes() {
   std::vector<NodeInfo> nodes;
 
-  NodeInfo list = node(Structural::list_files, "files.list", "The files of a folder as a sequence; an element's id is the file's stem.");
+  NodeInfo list = node(Structural::list_files, "files.list",
+                       "The files of a folder as a sequence; an element's id is the file's stem.");
   list.inputs = {input("folder", "file", 0, "A folder")};
-  list.params = {param("pattern", ParamKind::string, false, std::string("*"), "", 0, 0, "File names to take: * and ? as in a shell")};
+  list.params = {param("pattern", ParamKind::string, false, std::string("*"), "", 0, 0,
+                       "File names to take: * and ? as in a shell")};
   list.outputs = {output("files", "file", 1, "The files, integers before names")};
   nodes.push_back(list);
 
   NodeInfo select = node(Structural::select, "seq.select", "The elements with the given ids, in the sequence's order.");
   select.inputs = {input("sequence", "", 1, "A sequence")};
-  select.params = {param("ids", ParamKind::string, true, std::vector<std::string>{}, "", 0, 0, "Ids, and ranges of integer ids such as 17-23")};
+  select.params = {param("ids", ParamKind::string, true, std::vector<std::string>{}, "", 0, 0,
+                         "Ids, and ranges of integer ids such as 17-23")};
   select.outputs = {output("selected", "", 1, "The elements named")};
   nodes.push_back(select);
 
   NodeInfo slice = node(Structural::slice, "seq.slice", "A run of elements by position.");
   slice.inputs = {input("sequence", "", 1, "A sequence")};
-  slice.params = {param("begin", ParamKind::integer, false, std::int64_t{0}, "1", 0, most, "Position of the first element taken"),
-                  param("end", ParamKind::integer, false, static_cast<std::int64_t>(most), "1", 0, most, "Position after the last element taken")};
+  slice.params = {
+      param("begin", ParamKind::integer, false, std::int64_t{0}, "1", 0, most, "Position of the first element taken"),
+      param("end", ParamKind::integer, false, static_cast<std::int64_t>(most), "1", 0, most,
+            "Position after the last element taken")};
   slice.outputs = {output("slice", "", 1, "The elements, with their ids")};
   nodes.push_back(slice);
 
   NodeInfo every = node(Structural::every, "seq.every", "Every n-th element.");
   every.inputs = {input("sequence", "", 1, "A sequence")};
-  every.params = {param("step", ParamKind::integer, false, std::int64_t{2}, "1", 1, most, "Distance of the elements taken"),
-                  param("offset", ParamKind::integer, false, std::int64_t{0}, "1", 0, most, "Position of the first one")};
+  every.params = {
+      param("step", ParamKind::integer, false, std::int64_t{2}, "1", 1, most, "Distance of the elements taken"),
+      param("offset", ParamKind::integer, false, std::int64_t{0}, "1", 0, most, "Position of the first one")};
   every.outputs = {output("thinned", "", 1, "The elements, with their ids")};
   nodes.push_back(every);
 
   NodeInfo where = node(Structural::where, "seq.where", "The elements whose flag is true.");
-  where.inputs = {input("sequence", "", 1, "A sequence"), input("flags", "flag", 1, "A flag for every element, with the same ids")};
+  where.inputs = {input("sequence", "", 1, "A sequence"),
+                  input("flags", "flag", 1, "A flag for every element, with the same ids")};
   where.outputs = {output("kept", "", 1, "The elements kept, with their ids")};
   nodes.push_back(where);
 
-  NodeInfo flatten = node(Structural::flatten, "seq.flatten", "The elements of all inner sequences in one; ids join with a dot.");
+  NodeInfo flatten =
+      node(Structural::flatten, "seq.flatten", "The elements of all inner sequences in one; ids join with a dot.");
   flatten.inputs = {input("sequences", "", 2, "A sequence of sequences")};
   flatten.outputs = {output("flat", "", 1, "All elements, in order")};
   nodes.push_back(flatten);
 
-  NodeInfo merge = node(Structural::merge, "seq.merge", "The elements of several sequences in one, ordered by id; ids must differ.");
+  NodeInfo merge =
+      node(Structural::merge, "seq.merge", "The elements of several sequences in one, ordered by id; ids must differ.");
   merge.inputs = {alternatives("sequences", 1, "Sequences of one type")};
   merge.outputs = {output("merged", "", 1, "All elements, integers before names")};
   nodes.push_back(merge);

@@ -73,7 +73,8 @@ Json to_json(const NodeInfo& node) {
   }
   json["outputs"] = Json::array();
   for (const OutputInfo& output : node.outputs)
-    json["outputs"].push_back({{"name", output.name}, {"doc", output.doc}, {"type", output.type}, {"depth", output.depth}});
+    json["outputs"].push_back(
+        {{"name", output.name}, {"doc", output.doc}, {"type", output.type}, {"depth", output.depth}});
   return json;
 }
 

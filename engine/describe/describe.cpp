@@ -9,7 +9,8 @@ namespace {
 
 std::string shown_type(const InputInfo& input) {
   std::string text = port_type(input.type.empty() ? "any" : input.type, input.depth);
-  if (input.window) text += " with " + std::to_string(input.before) + " before and " + std::to_string(input.after) + " after";
+  if (input.window)
+    text += " with " + std::to_string(input.before) + " before and " + std::to_string(input.after) + " after";
   if (input.optional) text += ", optional";
   if (input.variadic) text += ", one or more";
   return text;
@@ -29,11 +30,16 @@ std::string limits(const ParamInfo& param) {
 
 const char* kind_word(const ParamInfo& param) {
   switch (param.kind) {
-    case ParamKind::boolean: return param.list ? "list of true or false" : "true or false";
-    case ParamKind::integer: return param.list ? "list of integers" : "integer";
-    case ParamKind::real: return param.list ? "list of numbers" : "number";
-    case ParamKind::string: return param.list ? "list of texts" : "text";
-    case ParamKind::choice: return param.list ? "list of choices" : "choice";
+    case ParamKind::boolean:
+      return param.list ? "list of true or false" : "true or false";
+    case ParamKind::integer:
+      return param.list ? "list of integers" : "integer";
+    case ParamKind::real:
+      return param.list ? "list of numbers" : "number";
+    case ParamKind::string:
+      return param.list ? "list of texts" : "text";
+    case ParamKind::choice:
+      return param.list ? "list of choices" : "choice";
   }
   return "";
 }
@@ -57,16 +63,18 @@ std::string describe_node(const NodeInfo& node, const std::string& plugin) {
   if (node.cheap) text += "; cheap: its values are not stored";
   if (node.prior) text += "; runs element after element";
   text += "\n\ninputs\n";
-  for (const InputInfo& input : node.inputs) text += "  " + input.name + "  (" + shown_type(input) + ")\n      " + input.doc + "\n";
+  for (const InputInfo& input : node.inputs)
+    text += "  " + input.name + "  (" + shown_type(input) + ")\n      " + input.doc + "\n";
   if (!node.params.empty()) text += "\nparameters\n";
   for (const ParamInfo& param : node.params) {
     const std::string bounds = limits(param);
-    text += "  " + param.name + " = " + to_text(param.initial) + "  (" + kind_word(param) + (bounds.empty() ? "" : ", " + bounds) + ")\n      " +
-            param.doc + "\n";
+    text += "  " + param.name + " = " + to_text(param.initial) + "  (" + kind_word(param) +
+            (bounds.empty() ? "" : ", " + bounds) + ")\n      " + param.doc + "\n";
   }
   text += "\noutputs\n";
   for (const OutputInfo& output : node.outputs)
-    text += "  " + output.name + "  (" + port_type(output.type.empty() ? "as the input" : output.type, output.depth) + ")\n      " + output.doc + "\n";
+    text += "  " + output.name + "  (" + port_type(output.type.empty() ? "as the input" : output.type, output.depth) +
+            ")\n      " + output.doc + "\n";
   return text;
 }
 
@@ -104,8 +112,9 @@ std::string node_reference(const Plugins& plugins) {
                 (bounds.empty() ? "" : ", " + in_cell(bounds)) + " | " + in_cell(param.doc) + " |\n";
       }
       for (const OutputInfo& output : node->outputs)
-        text += "| output | `" + output.name + "` | " + in_cell(port_type(output.type.empty() ? "as the input" : output.type, output.depth)) +
-                " | " + in_cell(output.doc) + " |\n";
+        text += "| output | `" + output.name + "` | " +
+                in_cell(port_type(output.type.empty() ? "as the input" : output.type, output.depth)) + " | " +
+                in_cell(output.doc) + " |\n";
     }
   }
   return text;

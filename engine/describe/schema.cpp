@@ -41,7 +41,8 @@ Json node_schema(const NodeInfo& node) {
   Json inputs = {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
   Json required = Json::array();
   for (const InputInfo& input : node.inputs) {
-    Json port = {{"description", input.doc + " (" + port_type(input.type.empty() ? "any" : input.type, input.depth) + ")"}};
+    Json port = {
+        {"description", input.doc + " (" + port_type(input.type.empty() ? "any" : input.type, input.depth) + ")"}};
     port["anyOf"] = {reference, {{"type", "object"}}};
     if (input.variadic) port["anyOf"].push_back({{"type", "array"}, {"items", reference}});
     inputs["properties"][input.name] = port;
@@ -58,7 +59,10 @@ Json node_schema(const NodeInfo& node) {
                   {{"node", {{"const", node.name}, {"description", node.doc}}},
                    {"inputs", inputs},
                    {"params", params},
-                   {"overrides", {{"type", "object"}, {"description", "Parameters for some elements: {\"17-23,40\": {...}}"}, {"additionalProperties", params}}}}}};
+                   {"overrides",
+                    {{"type", "object"},
+                     {"description", "Parameters for some elements: {\"17-23,40\": {...}}"},
+                     {"additionalProperties", params}}}}}};
   return schema;
 }
 
@@ -75,7 +79,9 @@ std::string graph_schema(const Plugins& plugins) {
     names.push_back(name);
   }
   definitions["node"] = {{"type", "object"},
-                         {"properties", {{"node", {{"enum", names}}}, {"graph", {{"type", "string"}, {"description", "A graph file embedded as a node"}}}}},
+                         {"properties",
+                          {{"node", {{"enum", names}}},
+                           {"graph", {{"type", "string"}, {"description", "A graph file embedded as a node"}}}}},
                          {"allOf", alternatives}};
   const Json param = {{"type", "object"},
                       {"required", {"type"}},
@@ -92,13 +98,15 @@ std::string graph_schema(const Plugins& plugins) {
       {"additionalProperties", false},
       {"properties",
        {{"facegraph", {{"const", 1}}},
-        {"extends", {{"type", "string"}, {"description", "Another graph file, over which this one is laid as a merge patch"}}},
+        {"extends",
+         {{"type", "string"}, {"description", "Another graph file, over which this one is laid as a merge patch"}}},
         {"doc", {{"type", "string"}}},
         {"params", {{"type", "object"}, {"additionalProperties", param}}},
         {"inputs", {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}}},
         {"nodes", {{"type", "object"}, {"additionalProperties", {{"$ref", "#/$defs/node"}}}}},
         {"outputs", {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}}},
-        {"run", {{"type", "object"}, {"properties", {{"memory", {{"type", "string"}}}, {"timeout_s", {{"type", "number"}}}}}}},
+        {"run",
+         {{"type", "object"}, {"properties", {{"memory", {{"type", "string"}}}, {"timeout_s", {{"type", "number"}}}}}}},
         {"layout", {{"type", "object"}}},
         {"$schema", {{"type", "string"}}}}},
       {"$defs", definitions}};

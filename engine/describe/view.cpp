@@ -58,7 +58,8 @@ std::string view_value(const Value& value, const std::string& suffix, Plugins& p
     if (!call.file) throw std::logic_error("view " + view.node + " of type " + type.name + " gives no file");
     return content_of(*call.file);
   }
-  throw std::invalid_argument("a value of type " + type.name + " cannot be written as '" + suffix + "'; it can be as " + known);
+  throw std::invalid_argument("a value of type " + type.name + " cannot be written as '" + suffix + "'; it can be as " +
+                              known);
 }
 
 }  // namespace engine

@@ -3,7 +3,5 @@
 #include "plugins/toy/numbers.h"
 using namespace engine::declare;
 
-NODE("toy.number_text", &toy::number_text, version{1},
-     doc{"Writes a number as text."},
-     input{"number", "A number"},
+NODE("toy.number_text", &toy::number_text, version{1}, doc{"Writes a number as text."}, input{"number", "A number"},
      output("text", "In decimal digits"));

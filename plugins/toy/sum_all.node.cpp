@@ -3,7 +3,5 @@
 #include "plugins/toy/numbers.h"
 using namespace engine::declare;
 
-NODE("toy.sum_all", &toy::sum_all, version{1},
-     doc{"Sums all numbers of a sequence."},
-     input{"numbers", "Numbers"},
+NODE("toy.sum_all", &toy::sum_all, version{1}, doc{"Sums all numbers of a sequence."}, input{"numbers", "Numbers"},
      output("sum", "Their sum"));

@@ -42,7 +42,9 @@ std::string concat(const engine::Seq<std::string>& texts, const ConcatOptions& o
 
 std::string pair(const std::string& left, const std::string& right) { return left + " " + right; }
 
-bool contains(const std::string& text, const ContainsOptions& options) { return text.find(options.part) != std::string::npos; }
+bool contains(const std::string& text, const ContainsOptions& options) {
+  return text.find(options.part) != std::string::npos;
+}
 
 engine::Seq<std::string> repeat(const std::string& text, const RepeatOptions& options) {
   std::vector<std::string> texts;

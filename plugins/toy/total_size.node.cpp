@@ -3,7 +3,5 @@
 #include "plugins/toy/trials.h"
 using namespace engine::declare;
 
-NODE("toy.total_size", &toy::total_size, version{1},
-     doc{"Measures many large values."},
-     input{"blobs", "Large texts"},
+NODE("toy.total_size", &toy::total_size, version{1}, doc{"Measures many large values."}, input{"blobs", "Large texts"},
      output("size", "Their bytes"));

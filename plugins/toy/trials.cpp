@@ -12,7 +12,8 @@ void wait(double seconds, engine::Progress* progress) {
   using clock = std::chrono::steady_clock;
   const auto end = clock::now() + std::chrono::duration<double>(seconds);
   while (clock::now() < end && !(progress && progress->stop_requested()))
-    std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(std::chrono::milliseconds(10), end - clock::now()));
+    std::this_thread::sleep_for(
+        std::min<std::chrono::duration<double>>(std::chrono::milliseconds(10), end - clock::now()));
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 #include "plugins/toy/texts.h"
 using namespace engine::declare;
 
-NODE("toy.upper", &toy::upper, version{1},
-     doc{"Changes the case of a text."},
-     input{"text", "A text"},
+NODE("toy.upper", &toy::upper, version{1}, doc{"Changes the case of a text."}, input{"text", "A text"},
      param("mode", &toy::UpperOptions::mode,
            {{"upper", toy::UpperOptions::Mode::upper},
             {"lower", toy::UpperOptions::Mode::lower},
