@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nodes/decode/ict_layout.h"
+#include "nodes/decode/ict_nostrils.h"
 #include "nodes/decode/mesh_tools.h"
 
 namespace face::decode {
@@ -143,11 +144,21 @@ std::vector<Vec3f> line_through(const Mesh& mesh, int first, int last, bool clos
   return line;
 }
 
-float distance_to_line(const Vec3f& p, const std::vector<Vec3f>& line) {
-  float best = 1e9f;
-  for (std::size_t i = 1; i < line.size(); ++i) best = std::min(best, distance_to_segment(p, line[i - 1], line[i]));
+struct OnLine {
+  float distance_mm = 1e9f;
+  float share = 0;  // of the line, to the nearest segment
+};
+
+OnLine nearest_on_line(const Vec3f& p, const std::vector<Vec3f>& line) {
+  OnLine best;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const float off = distance_to_segment(p, line[i - 1], line[i]);
+    if (off < best.distance_mm) best = {off, static_cast<float>(i) / static_cast<float>(line.size() - 1)};
+  }
   return best;
 }
+
+float distance_to_line(const Vec3f& p, const std::vector<Vec3f>& line) { return nearest_on_line(p, line).distance_mm; }
 
 // Even-odd rule in the frontal projection.
 bool inside_outline(const Vec3f& p, const std::vector<Vec3f>& outline) {
@@ -171,11 +182,22 @@ void tint_lips_and_brows(Mesh& mesh) {
     if (edge > -2) mesh.colors_srgb[v] = mix(white, over(lip, skin), smooth_step(-0.8f, 0.8f, edge));
     if (!ict_face.contains(v)) continue;
     for (const auto& line : brows) {
-      const float off = distance_to_line({p[0], p[1] + 1.0f, p[2]}, line);
-      if (off < 5)
-        mesh.colors_srgb[v] = mix(mesh.colors_srgb[v], over(brow, skin), 0.75f * (1 - smooth_step(1.5f, 5, off)));
+      const OnLine near = nearest_on_line({p[0], p[1] + 1.0f, p[2]}, line);
+      if (near.distance_mm >= 5) continue;
+      // They thin out to both ends: the mesh is coarse there, and a hard end would be as jagged as it.
+      const float from_temple = &line == &brows[0] ? near.share : 1 - near.share;
+      const float thick = smooth_step(-0.05f, 0.45f, from_temple) * smooth_step(-0.08f, 0.16f, 1 - from_temple);
+      const float share = 0.75f * thick * (1 - smooth_step(1.5f, 5, near.distance_mm));
+      mesh.colors_srgb[v] = mix(mesh.colors_srgb[v], over(brow, skin), share);
     }
   }
+}
+
+void darken_nostrils(Mesh& mesh) {
+  constexpr Vec3f inside = {0.30f, 0.12f, 0.10f};
+  const std::vector<float> enclosed = enclosed_by_nose(mesh);
+  for (std::uint32_t v = ict_face.first; v <= ict_face.last; ++v)
+    mesh.colors_srgb[v] = mix(mesh.colors_srgb[v], over(inside, skin), smooth_step(0.8f, 0.97f, enclosed[v]));
 }
 
 // Paints pupil, iris and limbal ring around the point of the cornea that stands out most from the eyeball.
@@ -223,6 +245,7 @@ void dress_ict_mesh(const Obj& obj, Mesh& mesh) {
   sort_polygons_into_parts(obj, mesh);
   mesh.colors_srgb.assign(mesh.points_mm.size(), white);
   tint_lips_and_brows(mesh);
+  darken_nostrils(mesh);
   for (const std::string_view part : {"sclera_left", "sclera_right"}) paint_eye(part, mesh);
 }
 

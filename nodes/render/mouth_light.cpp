@@ -71,13 +71,25 @@ Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f
   return {front_of_mouth, 35.0f * 20.0f};
 }
 
+Vec3f bounced_light(float area_mm2) {
+  constexpr float walls_mm2 = 21500;
+  constexpr Vec3f reflectance = {0.46f, 0.17f, 0.14f};  // of wet, red tissue
+  constexpr Vec3f through_cheeks = {0.060f, 0.013f, 0.010f};
+  constexpr float gain = 3.5f;  // as above
+  Vec3f light;
+  for (std::size_t c = 0; c < 3; ++c)
+    light[c] = through_cheeks[c] + gain * area_mm2 / walls_mm2 * reflectance[c] / (1 - reflectance[c]);
+  return light;
+}
+
 }  // namespace
 
-std::vector<float> mouth_exposure(const Rig& rig, const std::vector<Vec3f>& points_mm) {
-  constexpr float gain = 1.7f;      // the eye expects to see the teeth; walls of a mouth pass light on
-  constexpr float darkest = 0.03f;
-  std::vector<float> exposure(points_mm.size(), 1.0f);
-  std::vector<bool> inside(points_mm.size(), false);
+MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm) {
+  constexpr float gain = 1.7f;  // the eye expects to see the teeth, and adapts
+  constexpr float darkest = 0.015f;
+  MouthLight light;
+  light.exposure.assign(points_mm.size(), 1.0f);
+  light.inside.assign(points_mm.size(), false);
   bool any = false;
   Vec3f front = {0, 0, -1e9f};
   const Mesh& mesh = rig.neutral;
@@ -87,23 +99,25 @@ std::vector<float> mouth_exposure(const Rig& rig, const std::vector<Vec3f>& poin
     const std::uint32_t end = mesh.polygon_starts[part.first_polygon + part.polygon_count];
     for (std::uint32_t c = mesh.polygon_starts[part.first_polygon]; c < end; ++c) {
       const std::uint32_t v = mesh.corners[c];
-      inside[v] = true;
+      light.inside[v] = true;
       if (points_mm[v][2] > front[2]) front = points_mm[v];
     }
   }
-  if (!any) return exposure;
+  if (!any) return light;
   const Opening opening = opening_of(rig, points_mm, front);
+  light.opening_mm = opening.centre_mm;
+  light.bounced = bounced_light(opening.area_mm2);
   for (std::size_t v = 0; v < points_mm.size(); ++v) {
-    if (!inside[v]) continue;
+    if (!light.inside[v]) continue;
     const Vec3f& p = points_mm[v];
     const float dx = p[0] - opening.centre_mm[0], dy = p[1] - opening.centre_mm[1];
     // Beside the opening counts half: the lips are no tube, light comes from the sides as well.
     const float dz = p[2] - opening.centre_mm[2];
     const float squared = 0.25f * (dx * dx + dy * dy) + dz * dz;
     const float share = opening.area_mm2 / (opening.area_mm2 + std::numbers::pi_v<float> * squared);
-    exposure[v] = std::clamp(gain * share, darkest, 0.999f);  // never 1, which says "outside"
+    light.exposure[v] = std::clamp(gain * share, darkest, 1.0f);
   }
-  return exposure;
+  return light;
 }
 
 }  // namespace face::render

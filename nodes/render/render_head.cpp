@@ -49,11 +49,12 @@ Bounds framed_bounds(const Rig& rig, Framing framing) {
   Bounds bounds = visible_bounds(rig.neutral);
   if (bounds.empty || (rig.landmarks68.size() != 68 && rig.inner_lips.empty())) return bounds;
   const std::vector<Vec3f>& points = rig.neutral.points_mm;
-  float chin = 0;
+  float chin = 0, brows = bounds.low[1];
   Vec3f front = {0, 0, 0};
   if (rig.landmarks68.size() == 68) {
     chin = points[rig.landmarks68[8]][1];
     front = points[rig.landmarks68[30]];
+    for (std::size_t i = 17; i < 27; ++i) brows = std::max(brows, points[rig.landmarks68[i]][1]);
   } else {
     front = points[rig.inner_lips[rig.inner_lips.size() / 2].lower];
     chin = front[1] - 0.25f * (bounds.high[1] - front[1]);
@@ -62,7 +63,7 @@ Bounds framed_bounds(const Rig& rig, Framing framing) {
   const float half_width = (framing == Framing::head ? 0.45f : 0.28f) * height;
   const float depth = (framing == Framing::head ? 0.8f : 0.35f) * height;
   bounds.low[1] = std::max(bounds.low[1], chin - (framing == Framing::head ? 0.15f : 0.06f) * height);
-  if (framing == Framing::face) bounds.high[1] = chin + 0.58f * height;
+  if (framing == Framing::face) bounds.high[1] = std::max(chin + 0.58f * height, brows + 0.04f * height);
   bounds.low[0] = std::max(bounds.low[0], front[0] - half_width);
   bounds.high[0] = std::min(bounds.high[0], front[0] + half_width);
   bounds.high[2] = front[2];

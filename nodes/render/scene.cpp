@@ -7,7 +7,6 @@
 #include <string>
 
 #include "nodes/base/pose.h"
-#include "nodes/render/mouth_light.h"
 
 namespace face::render {
 namespace {
@@ -94,7 +93,8 @@ Scene make_scene(const Rig& rig, const Weights& weights, const Camera& camera, c
     scene.materials.push_back(material);
   }
   if (scene.materials.empty()) scene.materials.emplace_back();
-  scene.exposure = mouth_exposure(rig, scene.points_mm);
+  scene.mouth = mouth_light(rig, scene.points_mm);
+  scene.exposure = std::move(scene.mouth.exposure);
   scene.screen = project(camera, scene.points_mm);
   scene.eye_mm = camera.position_mm;
   return scene;
@@ -114,7 +114,7 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
                                                                 {0, -1}, {s, -0.5f}}};
   const std::array<float, 9>& r = camera.cam_from_world;
   for (std::size_t v = 0; v < scene.points_mm.size(); ++v) {
-    if (scene.exposure[v] != 1.0f) continue;  // in the mouth: dark already
+    if (scene.mouth.inside[v]) continue;  // dark already
     const ScreenPoint& at = scene.screen[v];
     const Vec3f& n = scene.normals[v];
     const Vec3f normal = {r[0] * n[0] + r[1] * n[1] + r[2] * n[2], r[3] * n[0] + r[4] * n[1] + r[5] * n[2],
@@ -157,7 +157,31 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
   }
 }
 
+namespace {
+
+// Light per unit of albedo inside the mouth. Deep inside it comes from the opening alone, whatever the lamps outside: no
+// lamp shines on a molar from behind. Near the lips it goes over to that of the face.
+Vec3f light_in_mouth(const Scene& scene, std::size_t v, const Vec3f& diffuse) {
+  constexpr Vec3f in_front = {1.05f, 0.98f, 0.88f};  // what falls on the face, seen through the lips
+  constexpr Vec3f reddened = {1.0f, 0.68f, 0.48f};   // of it, by lips, cheeks and gums on the way in
+  const Vec3f& p = scene.points_mm[v];
+  const Vec3f& o = scene.mouth.opening_mm;
+  const float exposure = scene.exposure[v];
+  const float cosine = dot(scene.normals[v], normalized({o[0] - p[0], o[1] - p[1], o[2] - p[2]}));
+  const float facing = std::max(0.0f, 0.35f + 0.65f * cosine);  // wet and crowded: light wraps around
+  const float back = 0.4f + 0.6f * std::min(1.0f, exposure / 0.3f);
+  Vec3f light;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float through = in_front[c] * (reddened[c] + (1.0f - reddened[c]) * exposure) * facing;
+    light[c] = exposure * (through + exposure * (diffuse[c] - through)) + back * scene.mouth.bounced[c];
+  }
+  return light;
+}
+
+}  // namespace
+
 void light_scene(Scene& scene) {
+  constexpr Vec3f darkest_flesh = {0.20f, 0.038f, 0.033f};  // linear; a throat painted black is still flesh
   // A vertex has the material of the last triangle that uses it: at the border of skin and mouth that is as good as any.
   std::vector<std::uint16_t> material_of(scene.points_mm.size(), 0);
   for (const Triangulation* mesh : {&scene.opaque, &scene.lashes})
@@ -170,17 +194,23 @@ void light_scene(Scene& scene) {
     const Scene::Material& material = scene.materials[material_of[v]];
     const Vec3f view = {scene.eye_mm[0] - p[0], scene.eye_mm[1] - p[1], scene.eye_mm[2] - p[2]};
     const Vec3f light = diffuse_light(n, material.scatter);
-    const Vec3f tint = scene.tint.empty() ? Vec3f{1, 1, 1} : scene.tint[v];
+    Vec3f tint = scene.tint.empty() ? Vec3f{1, 1, 1} : scene.tint[v];
     const float exposure = scene.exposure[v];
     VertexLook& look = scene.looks[v];
     using Four = VertexLook::Four;
-    // What little light there is in a crevice or in the mouth has been on skin before: it is warm.
-    const float shadow = 1.0f - exposure;
-    const Four warmth = {1.0f + 0.15f * shadow, 1.0f - 0.12f * shadow, 1.0f - 0.22f * shadow, 1.0f};
-    look.light = Four{light[0] * tint[0], light[1] * tint[1], light[2] * tint[2], 1} * exposure * warmth;
     look.normal = Four{n[0], n[1], n[2], scene.opacity[v]};
     const bool soft = material.gloss > 0 && material.gloss <= soft_gloss && dot(n, view) > 0;
     look.view_mm = Four{view[0], view[1], view[2], soft ? exposure * highlights(n, view, material.gloss)[1] : 0.0f};
+    if (scene.mouth.inside[v]) {
+      const Vec3f inner = light_in_mouth(scene, v, light);
+      for (std::size_t c = 0; c < 3; ++c) tint[c] = std::max(tint[c], darkest_flesh[c]);
+      look.light = Four{inner[0] * tint[0], inner[1] * tint[1], inner[2] * tint[2], exposure};
+      continue;
+    }
+    // What little light there is in a crevice has been on skin before: it is warm.
+    const float shadow = 1.0f - exposure;
+    const Four warmth = {1.0f + 0.15f * shadow, 1.0f - 0.12f * shadow, 1.0f - 0.22f * shadow, 1.0f};
+    look.light = Four{light[0] * tint[0], light[1] * tint[1], light[2] * tint[2], 1} * exposure * warmth;
   }
 }
 

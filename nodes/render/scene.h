@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "nodes/render/camera.h"
+#include "nodes/render/mouth_light.h"
 #include "nodes/render/rasterize.h"
 #include "nodes/render/shade.h"
 #include "nodes/render/triangulate.h"
@@ -30,6 +31,7 @@ struct Scene {
   std::vector<Vec3f> normals;       // V
   std::vector<Vec3f> tint;          // V, linear vertex colours; empty = white
   std::vector<float> exposure;      // V, share of the surroundings seen: 1 outside, towards 0 deep in the mouth
+  MouthLight mouth;                 // its exposure is moved to the one above
   std::vector<VertexLook> looks;    // V
   std::vector<float> opacity;       // V, of the lashes; 1 elsewhere
   std::vector<Material> materials;  // per part, at least one
@@ -39,7 +41,7 @@ struct Scene {
   Vec3f eye_mm = {0, 0, 0};
 };
 
-// Poses the rig and sees it through the camera. exposure holds the mouth's only (mouth_light.h), looks are empty.
+// Poses the rig and sees it through the camera. exposure holds the mouth's only, looks are empty.
 Scene make_scene(const Rig& rig, const Weights& weights, const Camera& camera, const SrgbTable& srgb);
 
 // Darkens exposure where nearer surfaces stand around a vertex: the corners of the eyes, beside the nose, under the chin.

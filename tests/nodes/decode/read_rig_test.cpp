@@ -126,6 +126,17 @@ TEST(ReadRig, DressesTheIctHead) {
   }
   EXPECT_LT(dark, 0.1f);
   EXPECT_GT(bright, 0.9f);
+  // The nostrils are dark inside, the tip of the nose is not.
+  const Vec3f& below_nose = rig.neutral.points_mm[rig.landmarks68[33]];
+  int nostril_vertices[2] = {0, 0};  // right, left
+  for (std::uint32_t v = 0; v <= 9408; ++v) {
+    const Vec3f& p = rig.neutral.points_mm[v];
+    if (std::abs(p[1] - below_nose[1]) < 15 && std::abs(p[0]) < 15 && std::abs(p[2] - below_nose[2]) < 15)
+      nostril_vertices[p[0] > 0] += rig.neutral.colors_srgb[v][0] < 0.5f;
+  }
+  EXPECT_GT(nostril_vertices[0], 10);
+  EXPECT_GT(nostril_vertices[1], 10);
+  EXPECT_EQ(rig.neutral.colors_srgb[rig.landmarks68[30]], (Vec3f{1, 1, 1}));
 }
 
 TEST(ReadRig, TakesTheUnitThatItIsTold) {

@@ -234,21 +234,37 @@ TEST(RenderHead, RejectsWhatItCannotShow) {
   EXPECT_THROW_TEXT(render_head(odd, {}), message("the rig has 3 vertex colours, but ", rig.neutral.points_mm.size(), " vertices"));
 }
 
-TEST(MouthExposure, IsOneOutsideAndGrowsWithTheOpening) {
+TEST(MouthLight, GrowsWithTheOpeningAndLeavesTheFaceAlone) {
   const Rig rig = phantom::make_head();
   std::vector<Vec3f> closed = rig.neutral.points_mm, open = closed;
   add_shape(rig.shapes[arkit_index("jawOpen")], 0.6f, open);
-  const std::vector<float> dark = mouth_exposure(rig, closed), light = mouth_exposure(rig, open);
+  const MouthLight dark = mouth_light(rig, closed), light = mouth_light(rig, open);
   const std::uint32_t tooth = rig.upper_teeth.at(0);
-  EXPECT_LT(dark[tooth], 0.2f);
-  EXPECT_GT(light[tooth], 3 * dark[tooth]);
-  for (std::size_t v = 0; v < dark.size(); ++v) {
-    ASSERT_GE(light[v], 0.0f);
-    ASSERT_LE(light[v], 1.0f);
+  EXPECT_TRUE(dark.inside[tooth]);
+  EXPECT_LT(dark.exposure[tooth], 0.2f);
+  EXPECT_GT(light.exposure[tooth], 3 * dark.exposure[tooth]);
+  for (std::size_t v = 0; v < light.exposure.size(); ++v) {
+    ASSERT_GE(light.exposure[v], 0.0f);
+    ASSERT_LE(light.exposure[v], 1.0f);
+    ASSERT_TRUE(light.inside[v] || light.exposure[v] == 1.0f);
   }
   const Part& face = rig.neutral.parts.at(0);
   ASSERT_EQ(face.name, "face");
-  EXPECT_EQ(light[rig.neutral.corners[rig.neutral.polygon_starts[face.first_polygon]]], 1.0f);
+  EXPECT_FALSE(light.inside[rig.neutral.corners[rig.neutral.polygon_starts[face.first_polygon]]]);
+  EXPECT_NEAR(light.opening_mm[0], 0, 1);
+}
+
+TEST(MouthLight, IsRedWhereItComesFromTheWalls) {
+  const Rig rig = phantom::make_head();
+  std::vector<Vec3f> open = rig.neutral.points_mm;
+  const Vec3f closed = mouth_light(rig, open).bounced;
+  EXPECT_GT(closed[0], 0.0f);  // never black
+  add_shape(rig.shapes[arkit_index("jawOpen")], 0.6f, open);
+  const Vec3f bounced = mouth_light(rig, open).bounced;
+  EXPECT_GT(bounced[0], 2 * closed[0]);
+  EXPECT_GT(bounced[0], 3 * bounced[1]);
+  EXPECT_GT(bounced[1], bounced[2]);
+  EXPECT_LT(bounced[0], 0.5f);
 }
 
 }  // namespace
