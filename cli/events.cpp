@@ -52,7 +52,11 @@ void EventWriter::write(const engine::RunEvent& event) {
   if (!event.text.empty()) json["text"] = event.text;
   if (event.kind == engine::RunEvent::Kind::finished) json["seconds"] = event.seconds;
   if (event.kind == engine::RunEvent::Kind::progress) json["fraction"] = event.fraction;
-  std::fputs((json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str(), file_);
+  const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  if (std::fputs(text.c_str(), file_) < 0 && !failed_) {
+    failed_ = true;
+    std::fprintf(stderr, "warning: events cannot be written: %s\n", std::strerror(errno));
+  }
 }
 
 void check_writable(const std::string& path) {
@@ -72,8 +76,9 @@ void write_summary(const std::string& path, const engine::RunResult& result) {
                                        {"failures", result.failures},
                                        {"published", result.published}};
   std::FILE* file = open(path);
-  std::fputs((json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str(), file);
-  std::fclose(file);
+  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const bool written = std::fputs(text.c_str(), file) >= 0;
+  if (std::fclose(file) != 0 || !written) throw engine::EngineError("cannot write " + path + ": " + std::strerror(errno));
 }
 
 }  // namespace cli

@@ -16,11 +16,13 @@ class EventWriter {
 
  private:
   std::FILE* file_ = nullptr;
+  bool failed_ = false;
 };
 
-// {"tasks": {"run": 4, "reused": 747, "failed": 0, "blocked": 0}, "seconds": 0.8}
 // Throws where the file cannot be written: told before the run, not after it.
 void check_writable(const std::string& path);
+
+// {"tasks": {"run": 4, "reused": 747, "failed": 0, "blocked": 0}, "seconds": 0.8}
 void write_summary(const std::string& path, const engine::RunResult& result);
 
 }  // namespace cli
