@@ -36,9 +36,10 @@ int explain(const Common& common, const ExplainArguments& arguments) {
                   : explanation.fate == engine::PlannedTask::Fate::cached ? "changed, but the result is in the store"
                                                                               : "runs again");
     for (const engine::Cause& cause : explanation.causes) {
-      causes.push_back({{"task", cause.task}, {"what", cause.what}, {"path", cause.path}});
+      causes.push_back({{"task", cause.task}, {"what", cause.what}, {"path", cause.path}, {"others", cause.others}});
       if (arguments.json) continue;
       std::printf("  because of %s: %s\n", cause.task.c_str(), cause.what.c_str());
+      if (cause.others > 0) std::printf("    and of %zu more of its elements\n", cause.others);
       if (cause.path.size() > 1) {
         std::printf("    by way of");
         for (std::size_t i = 0; i < cause.path.size(); ++i) std::printf("%s %s", i == 0 ? "" : " ->", cause.path[i].c_str());

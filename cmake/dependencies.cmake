@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every library the project uses, found once, as imported (SYSTEM) targets. All are Debian 12 packages (see setup.sh).
+# Every library the project uses, found once, as imported (SYSTEM) targets. All are Debian 12 packages (see tools/packages.txt).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)

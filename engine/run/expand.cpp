@@ -136,7 +136,11 @@ void Session::fail_tree(Tree* tree) {
 void Session::set_forward(Tree* tree, Tree* target) {
   target = follow(target);
   tree->forward = target;
-  if (tree->uses > 0) target->uses += tree->uses;
+  // Who reads a tree that was pending did not know yet whether it is one value or many.
+  if (target->state == Tree::State::sequence)
+    target->sequence->gathers += tree->uses;
+  else
+    target->uses += tree->uses;
   for (Tree* container : tree->containers) {
     std::replace(container->sequence->children.begin(), container->sequence->children.end(), tree, target);
     if (!target->settled) {
@@ -180,7 +184,7 @@ Tree* Session::source_tree(const Source& source) {
   tree->has_identity = true;
   tree->value = Value::of(std::move(opened.file));
   sources_[source.path] = tree;
-  paths_of_source_[source.path] = std::move(opened.paths);
+  opened_[tree] = {source.path, std::move(opened.paths)};
   return tree;
 }
 
@@ -202,10 +206,11 @@ void Session::restrict_to_elements() {
   const int target = graph_.find_node(options_.to);
   if (filter_.empty() || target < 0) return;
   std::vector<bool> whole(graph_.nodes.size(), false);
-  filtered_[static_cast<std::size_t>(target)] = node(target).mapped_depth > 0;
+  filtered_[static_cast<std::size_t>(target)] = node(target).mapped_depth > 0 && !node(target).info->prior;
   for (std::size_t n = graph_.nodes.size(); n-- > 0;) {
     const GraphNode& consumer = graph_.nodes[n];
     if (!consumer.needed) continue;
+    if (static_cast<int>(n) != target && whole[n]) filtered_[n] = false;
     for (std::size_t p = 0; p < consumer.inputs.size(); ++p) {
       const InputInfo& port = consumer.info->inputs[p];
       for (const Source& source : consumer.inputs[p]) {
@@ -215,10 +220,9 @@ void Session::restrict_to_elements() {
                                  source.element.empty() && consumer.info->structural == Structural::none &&
                                  graph_.nodes[producer].mapped_depth == consumer.mapped_depth;
         if (!elementwise) whole[producer] = true;
-        else if (graph_.nodes[producer].info->structural == Structural::none) filtered_[producer] = true;
+        else if (graph_.nodes[producer].info->structural == Structural::none) filtered_[producer] = !graph_.nodes[producer].info->prior;
       }
     }
-    if (static_cast<int>(n) != target && whole[n]) filtered_[n] = false;
   }
 }
 
@@ -404,7 +408,11 @@ void Level::add(std::size_t index) {
                         std::to_string(index) + " the first has '" + id + "', the second '" +
                         driver.tree->sequence->ids[index] + "'");
   const std::string path = join(path_, id);
-  if (session_.filtered_[static_cast<std::size_t>(node_)] && !session_.filter_.admits(path)) return;
+  if (session_.filtered_[static_cast<std::size_t>(node_)] && !session_.filter_.admits(path)) {
+    // Nobody asked for it: its place is kept, so that positions still agree, and stays empty.
+    for (Tree* output : outputs_) session_.add_child(output, id, session_.new_tree());
+    return;
+  }
 
   Bindings inputs = inputs_;
   const auto descend = [&](const Driver& driver, std::size_t at) {
@@ -421,8 +429,7 @@ void Level::add(std::size_t index) {
   for (const Driver& driver : required_) descend(driver, index);
   for (const Driver& driver : sparse_) {
     Tree::Sequence& held = *driver.tree->sequence;
-    if (held.positions.size() != held.ids.size())
-      for (std::size_t i = held.positions.size(); i < held.ids.size(); ++i) held.positions.emplace(held.ids[i], i);
+    held.index();
     const auto at = held.positions.find(id);
     if (at == held.positions.end()) {
       inputs[driver.port][driver.source] = {};
@@ -452,7 +459,7 @@ void Level::finish() {
   for (const Driver& driver : sparse_)
     if (!driver.tree->sequence->complete) return;
   const GraphNode& graph_node = session_.node(node_);
-  const Tree::Sequence& lead = *required_[0].tree->sequence;
+  Tree::Sequence& lead = *required_[0].tree->sequence;
   bool broken = false;
   for (const Driver& driver : required_) {
     const Tree::Sequence& held = *driver.tree->sequence;
@@ -466,9 +473,10 @@ void Level::finish() {
                       (shorter ? "first" : "second") + " (" + std::to_string(lead.ids.size()) + " and " +
                       std::to_string(held.ids.size()) + " elements)");
   }
+  if (!sparse_.empty()) lead.index();
   for (const Driver& driver : sparse_)
     for (const std::string& id : driver.tree->sequence->ids)
-      if (std::find(lead.ids.begin(), lead.ids.end(), id) == lead.ids.end())
+      if (!lead.positions.contains(id))
         return fail_level("input '" + graph_node.info->inputs[driver.port].name + "' has an element '" + id +
                           "' that input '" + graph_node.info->inputs[required_[0].port].name + "' has not");
   done_ = true;
@@ -495,8 +503,8 @@ void Pick::update(Tree*) {
     }
     if (from_->state != Tree::State::sequence) return;
     const Tree::Sequence& held = *from_->sequence;
-    const auto at = std::find(held.ids.begin(), held.ids.end(), ids_.front());
-    if (at == held.ids.end()) {
+    while (seen_ < held.ids.size() && held.ids[seen_] != ids_.front()) ++seen_;
+    if (seen_ == held.ids.size()) {
       if (!held.complete) return;
       done_ = true;
       if (from_->unknown) {
@@ -510,8 +518,9 @@ void Pick::update(Tree*) {
       session_.fail_tree(to_);
       return;
     }
-    Tree* child = held.children[static_cast<std::size_t>(at - held.ids.begin())];
+    Tree* child = held.children[seen_];
     ids_.erase(ids_.begin());
+    seen_ = 0;
     if (ids_.empty()) {
       done_ = true;
       session_.set_forward(to_, child);

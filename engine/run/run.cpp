@@ -132,8 +132,14 @@ class Explainer {
   }
 
   void cause(const Task& task, std::string what) {
+    // The same change of many elements is told once.
+    for (Cause& known : causes_)
+      if (known.what == what && known.task.substr(0, known.task.find('[')) == session_.node(task.node).id) {
+        ++known.others;
+        return;
+      }
     if (causes_.size() >= most_causes) return;
-    Cause found{session_.name_of(task), std::move(what), {}};
+    Cause found{session_.name_of(task), std::move(what), {}, 0};
     for (auto at = path_.rbegin(); at != path_.rend(); ++at) found.path.push_back(*at);
     causes_.push_back(std::move(found));
   }
@@ -146,15 +152,19 @@ class Explainer {
   }
 
   // Producers whose own key is another than last time, or not known yet.
-  bool upstream(const Task& task) {
+  // Along a recurrence the first of them is looked into, and none where the task has a cause of its own.
+  bool upstream(const Task& task, bool has_own_cause = false) {
     TaskSet producers;
     for (Tree* tree : inputs_of(task)) producers_of(tree, producers);
     bool any = false;
-    std::map<int, std::set<std::string>> elements;
+    const auto changed = [&](const Task& other) { return other.key.empty() || other.key != old_key(other); };
     for (const Task* producer : producers) {
-      elements[producer->node].insert(producer->element);
-      if (!producer->key.empty() && producer->key == old_key(*producer)) continue;
+      if (!changed(*producer)) continue;
       any = true;
+      if (producer == task.prior) {
+        if (has_own_cause) continue;
+        while (producer->prior && changed(*producer->prior)) producer = producer->prior;
+      }
       visit(*producer);
     }
     return any;
@@ -181,7 +191,7 @@ class Explainer {
       if (old != then.end() && old->value == part.value) continue;
       found |= compare(task, part, old == then.end() ? nullptr : &*old);
     }
-    if (upstream(task)) found = true;
+    if (upstream(task, found)) found = true;
     if (!found) found = sources(task);
     if (!found) cause(task, "the elements that it reads are others than before");
   }
@@ -300,6 +310,21 @@ std::vector<Explanation> explain_node(const Graph& graph, Plugins& plugins, Stor
   return result;
 }
 
+AuditResult audit_graph(const Graph& graph, Plugins& plugins, Store& store, double fraction, std::uint64_t seed,
+                        const RunOptions& options) {
+  Session session(graph, plugins, store, options, Session::Mode::plan);
+  session.expand();
+  AuditResult result;
+  result.stored = session.choose_for_audit(fraction, seed);
+  for (const Task& task : session.tasks()) result.checked += task.audited;
+  session.work();
+  RunResult ended;
+  session.count(ended);
+  if (ended.cancelled) throw std::runtime_error("the audit was interrupted");
+  result.differing = ended.failures;
+  return result;
+}
+
 std::vector<Digest> values_of(const Graph& graph, Plugins& plugins, Store& store) {
   const RunOptions options;
   Session session(graph, plugins, store, options, Session::Mode::plan);
@@ -363,6 +388,7 @@ GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Ref
   RunResult result;
   session.finish_run(result);
   if (!result.failures.empty()) throw std::runtime_error(result.failures.front());
+  if (result.cancelled) throw std::runtime_error("the run ended before the value was made");
   tree = follow(tree);
   if (tree->state != Tree::State::leaf) throw std::runtime_error("the run ended before the value was made");
   const TypeInfo* type = nullptr;

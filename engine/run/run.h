@@ -16,14 +16,16 @@ namespace engine {
 
 // What happens in a run, as it happens. Times are seconds since the run's start.
 struct RunEvent {
-  enum class Kind { started, finished, reused, failed, blocked, warning, progress, published };
+  // made: a cheap task ended, whose values are not stored and which is not counted.
+  enum class Kind { started, finished, made, reused, failed, blocked, warning, progress };
   Kind kind = Kind::started;
   double time_s = 0;
   std::string node;      // "flow"
   std::string type;      // "flow.robust"
   std::string element;   // "17", "take03/17", or empty
-  std::string text;      // failed, warning: the message; published: the path
-  double seconds = 0;    // finished: how long it took
+  std::string text;      // failed, warning: the message
+  double seconds = 0;    // finished, made: how long it took
+  std::uint32_t worker = 0;  // number of the thread that runs the task, from 1; 0 where none does
   double fraction = 0;   // progress of one task, in [0, 1]
   std::size_t done = 0;  // tasks settled so far, and known so far
   std::size_t known = 0;
@@ -77,6 +79,7 @@ struct Cause {
   std::string task;                       // "sharpen[17]": the task where the change enters
   std::string what;                       // "parameter levels: 5 -> 6", "file clip.mpg changed", "plugin toy changed"
   std::vector<std::string> path;          // tasks from the cause to the one asked about
+  std::size_t others = 0;                 // further elements of the node with the same change
 };
 struct Explanation {
   std::string task;
@@ -86,6 +89,15 @@ struct Explanation {
 };
 std::vector<Explanation> explain_node(const Graph& graph, Plugins& plugins, Store& store, const std::string& node,
                                       const std::string& element);
+
+// Runs a sample of the tasks that the store has of a graph again and compares. `differing`: a message for each whose result
+// is another now, or which failed, with node, element and key. The same seed chooses the same tasks.
+struct AuditResult {
+  std::size_t stored = 0, checked = 0;
+  std::vector<std::string> differing;
+};
+AuditResult audit_graph(const Graph& graph, Plugins& plugins, Store& store, double fraction, std::uint64_t seed,
+                        const RunOptions& options);
 
 // The digests of everything that a graph's stored results are made of, for pinning.
 std::vector<Digest> values_of(const Graph& graph, Plugins& plugins, Store& store);
