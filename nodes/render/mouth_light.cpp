@@ -46,24 +46,27 @@ float through_lips(float area_mm2, float width_mm) {
 }
 
 Opening opening_of(const Rig& rig, const std::vector<Vec3f>& points, const Vec3f& front_of_mouth) {
-  std::vector<Vec3f> outline;
+  std::vector<Vec3f> outline, closed;
+  float low = 1e9f, high = -1e9f;
+  const auto add = [&](std::uint32_t vertex) {
+    outline.push_back(points[vertex]);
+    closed.push_back(rig.neutral.points_mm[vertex]);
+    low = std::min(low, points[vertex][0]);
+    high = std::max(high, points[vertex][0]);
+  };
   if (rig.landmarks68.size() == 68) {
-    for (std::size_t i = 60; i < 68; ++i) outline.push_back(points[rig.landmarks68[i]]);
-    float low = 1e9f, high = -1e9f;
-    for (const Vec3f& p : outline) {
-      low = std::min(low, p[0]);
-      high = std::max(high, p[0]);
-    }
-    return {mean_of(outline), through_lips(front_area(outline), high - low)};
+    for (std::size_t i = 60; i < 68; ++i) add(rig.landmarks68[i]);
+    // The marks stand beside the line where the lips meet: what they enclose in the neutral is no opening.
+    return {mean_of(outline), through_lips(std::max(0.0f, front_area(outline) - front_area(closed)), high - low)};
   }
   if (!rig.inner_lips.empty()) {
-    float low = 1e9f, high = -1e9f, height = 0;
+    float height = 0;
     for (const LipPair& pair : rig.inner_lips) {
-      outline.push_back(points[pair.upper]);
-      outline.push_back(points[pair.lower]);
-      low = std::min(low, points[pair.upper][0]);
-      high = std::max(high, points[pair.upper][0]);
-      height += std::max(0.0f, points[pair.upper][1] - points[pair.lower][1]) / static_cast<float>(rig.inner_lips.size());
+      add(pair.upper);
+      add(pair.lower);
+      const float gap = points[pair.upper][1] - points[pair.lower][1];
+      const float closed_gap = rig.neutral.points_mm[pair.upper][1] - rig.neutral.points_mm[pair.lower][1];
+      height += std::max(0.0f, gap - closed_gap) / static_cast<float>(rig.inner_lips.size());
     }
     const float width = std::max(high - low, 30.0f);  // the pairs are about the middle only
     return {mean_of(outline), through_lips(height * width, width)};
@@ -87,6 +90,7 @@ Vec3f bounced_light(float area_mm2) {
 MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm) {
   constexpr float gain = 1.7f;  // the eye expects to see the teeth, and adapts
   constexpr float darkest = 0.015f;
+  constexpr float out_mm = 3;  // so far before the opening it is as light as outside
   MouthLight light;
   light.exposure.assign(points_mm.size(), 1.0f);
   light.inside.assign(points_mm.size(), false);
@@ -115,7 +119,8 @@ MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm) {
     const float dz = p[2] - opening.centre_mm[2];
     const float squared = 0.25f * (dx * dx + dy * dy) + dz * dz;
     const float share = opening.area_mm2 / (opening.area_mm2 + std::numbers::pi_v<float> * squared);
-    light.exposure[v] = std::clamp(gain * share, darkest, 1.0f);
+    const float in_front = std::min(dz / out_mm, 1.0f);  // a tongue that is out
+    light.exposure[v] = std::clamp(std::max(gain * share, in_front), darkest, 1.0f);
   }
   return light;
 }

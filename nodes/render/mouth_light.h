@@ -20,8 +20,9 @@ struct MouthLight {
 // throat is dark. bounced is the light of an integrating sphere with red walls: little, warm, and what keeps a mouth from
 // being black (A over the walls' area x rho / (1 - rho); 215 cm2 of walls by Collins and Dawes, The Surface Area of the
 // Adult Human Mouth, 1987).
-// Lips have depth, so A is taken as less the lower the opening is. It is the polygon of landmarks 60-67, else spanned by
-// the pairs of Rig::inner_lips; with neither it counts as 35 x 20 mm in front of the part.
+// Lips have depth, so A is taken as less the lower the opening is. It is the polygon of landmarks 60-67 or spanned by the
+// pairs of Rig::inner_lips, less the same in the neutral, whose mouth is closed; with neither it counts as 35 x 20 mm in
+// front of the part.
 MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm);
 
 }  // namespace face::render

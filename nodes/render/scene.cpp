@@ -172,7 +172,7 @@ Vec3f light_in_mouth(const Scene& scene, std::size_t v, const Vec3f& diffuse) {
   const float back = 0.4f + 0.6f * std::min(1.0f, exposure / 0.3f);
   Vec3f light;
   for (std::size_t c = 0; c < 3; ++c) {
-    const float through = in_front[c] * (reddened[c] + (1.0f - reddened[c]) * exposure) * facing;
+    const float through = in_front[c] * (reddened[c] + (1.0f - reddened[c]) * exposure * exposure) * facing;
     light[c] = exposure * (through + exposure * (diffuse[c] - through)) + back * scene.mouth.bounced[c];
   }
   return light;
