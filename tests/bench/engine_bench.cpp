@@ -10,17 +10,24 @@
 
 namespace {
 
-// A cheap sequence of numbers -> map -> map -> map -> gather: 3 * count + 1 tasks whose results are stored.
+// A cheap sequence of numbers -> map -> map -> map -> gather: 3 * count + 1 tasks whose results are stored. Or a cheap
+// map and a gather: count tasks whose results are handed on in memory.
 class Chain {
  public:
-  explicit Chain(std::int64_t count) : plugins_({FACEGRAPH_PLUGIN_DIR}) {
-    std::ofstream(folder_.path() / "graph.json") << R"({"facegraph": 1, "nodes": {
-    "numbers": {"node": "toy.count_up", "params": {"count": )"
-                                                 << count << R"(}},
+  enum class Kind { stored, cheap };
+  explicit Chain(std::int64_t count, Kind kind = Kind::stored) : plugins_({FACEGRAPH_PLUGIN_DIR}) {
+    const std::string numbers =
+        R"("numbers": {"node": "toy.count_up", "params": {"count": )" + std::to_string(count) + "}},\n";
+    const std::string stored = R"(
     "one": {"node": "toy.add", "inputs": {"a": "numbers"}, "params": {"amount": 1}},
     "two": {"node": "toy.add", "inputs": {"a": "one"}, "params": {"amount": 2}},
     "three": {"node": "toy.add", "inputs": {"a": "two"}, "params": {"amount": 3}},
-    "sum": {"node": "toy.sum_all", "inputs": {"numbers": "three"}},
+    "sum": {"node": "toy.sum_all", "inputs": {"numbers": "three"}},)";
+    const std::string cheap = R"(
+    "blobs": {"node": "toy.cheap_blob", "inputs": {"number": "numbers"}, "params": {"size_mb": 0.00001}},
+    "sum": {"node": "toy.total_size", "inputs": {"blobs": "blobs"}},)";
+    std::ofstream(folder_.path() / "graph.json")
+        << R"({"facegraph": 1, "nodes": {)" << numbers << (kind == Kind::stored ? stored : cheap) << R"(
     "digits": {"node": "toy.number_text", "inputs": {"number": "sum"}},
     "file": {"node": "toy.write_text", "inputs": {"text": "digits"}}},
   "outputs": {"sum.txt": "file"}})";
@@ -70,7 +77,13 @@ void store_small_tasks(benchmark::State& state) {
   }
   per_task(state, tasks);
 }
-BENCHMARK(store_small_tasks)->ArgName("elements")->Arg(250)->Arg(25'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(store_small_tasks)
+    ->ArgName("elements")
+    ->Arg(250)
+    ->Arg(25'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void rerun_with_nothing_to_do(benchmark::State& state) {
   Chain chain(state.range(0));
@@ -88,6 +101,35 @@ BENCHMARK(rerun_with_nothing_to_do)
     ->Arg(250)
     ->Arg(25'000)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+// A cheap sequence of numbers -> cheap map -> one gather: 1 stored result, the rest stays in memory.
+void pass_in_memory(benchmark::State& state) {
+  Chain chain(state.range(0), Chain::Kind::cheap);
+  for (auto _ : state) {
+    state.PauseTiming();
+    chain.forget();
+    state.ResumeTiming();
+    const engine::RunResult result = chain.run();
+    if (!result.failures.empty()) state.SkipWithError(result.failures[0].c_str());
+  }
+  per_task(state, static_cast<std::size_t>(state.range(0)));  // cheap tasks are not counted as run
+}
+BENCHMARK(pass_in_memory)
+    ->ArgName("elements")
+    ->Arg(250)
+    ->Arg(75'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// What a run costs before its first task.
+void run_an_all_but_empty_graph(benchmark::State& state) {
+  Chain chain(0);
+  chain.run();
+  for (auto _ : state) benchmark::DoNotOptimize(chain.run());
+}
+BENCHMARK(run_an_all_but_empty_graph)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
