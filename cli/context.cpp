@@ -23,7 +23,8 @@ std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   folders.push_back((self.parent_path().parent_path() / "lib" / "facegraph" / "plugins").string());
   auto plugins = std::make_unique<engine::Plugins>(std::move(folders));
-  for (const engine::Problem& problem : plugins->problems()) std::fprintf(stderr, "warning: %s\n", problem.line().c_str());
+  for (const engine::Problem& problem : plugins->problems())
+    std::fprintf(stderr, "warning: plugin %s cannot be used: %s\n", problem.place.file.c_str(), problem.text.c_str());
   return plugins;
 }
 

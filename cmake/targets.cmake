@@ -80,6 +80,12 @@ function(node)
   endforeach()
 endfunction()
 
+# The build tree is laid out as the installed one (bin, lib, lib/facegraph/plugins), so that what is installed is what was
+# built, bit for bit: a plugin's digest is in the keys of its results.
+function(relocatable target run_path)
+  set_target_properties(${target} PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "${run_path}")
+endfunction()
+
 # Node objects are linked straight into the plugin: an archive would drop their registration.
 function(plugin name)
   cmake_parse_arguments(arg "" "" "AREAS" ${ARGN})
@@ -88,7 +94,8 @@ function(plugin name)
   endif()
   add_library(plugin_${name} MODULE ${PROJECT_SOURCE_DIR}/engine/plugin/plugin_entry.cpp)
   set_target_properties(plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
-    LIBRARY_OUTPUT_DIRECTORY ${FACEGRAPH_PLUGIN_DIR} BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../..")
+    LIBRARY_OUTPUT_DIRECTORY ${FACEGRAPH_PLUGIN_DIR})
+  relocatable(plugin_${name} "$ORIGIN/../..")
   target_link_libraries(plugin_${name} PRIVATE facegraph_flags engine)
   # The node list beside the library, so that listing loads nothing.
   add_custom_command(TARGET plugin_${name} POST_BUILD
@@ -98,4 +105,7 @@ function(plugin name)
     target_sources(plugin_${name} PRIVATE $<TARGET_OBJECTS:face_${area}_nodes>)
     target_link_libraries(plugin_${name} PRIVATE face_${area})
   endforeach()
+  # The list after the library, so that it is not the older one.
+  install(TARGETS plugin_${name} LIBRARY DESTINATION lib/facegraph/plugins)
+  install(FILES ${FACEGRAPH_PLUGIN_DIR}/${name}.nodes.json DESTINATION lib/facegraph/plugins)
 endfunction()

@@ -1,67 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/plugin/plugins.h"
 
-#include <boost/dll/shared_library.hpp>
-#include <boost/dll/shared_library_load_mode.hpp>
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <sstream>
 
-#include "engine/plugin/descriptor.h"
+#include "engine/plugin/first_load.h"
 #include "engine/plugin/library_digest.h"
+#include "engine/plugin/open_library.h"
 
 namespace engine {
 namespace fs = std::filesystem;
 namespace {
 
-std::string bounded(const char* text, std::size_t size) { return {text, strnlen(text, size)}; }
+fs::path list_beside(const std::string& path) { return fs::path(path).replace_extension(".nodes.json"); }
 
-// Why a library's tags forbid loading it; empty when they agree.
-std::string disagreement(const PluginTags& tags) {
-  if (tags.abi != this_abi.abi)
-    return "it was built for plugin ABI " + std::to_string(tags.abi) + ", this engine has " + std::to_string(this_abi.abi) +
-           (tags.abi < this_abi.abi ? ": rebuild the plugin" : ": update the engine");
-  const auto differ = [](const char* what, const char* found, const char* expected, std::size_t size) -> std::string {
-    if (bounded(found, size) == bounded(expected, size)) return {};
-    return std::string("it was built with ") + what + " '" + bounded(found, size) + "', expected '" + bounded(expected, size) + "'";
-  };
-  std::string text = differ("compiler", tags.compiler, this_abi.compiler, sizeof tags.compiler);
-  if (text.empty()) text = differ("standard library", tags.standard_library, this_abi.standard_library, sizeof tags.standard_library);
-  if (text.empty()) text = differ("flags", tags.flags, this_abi.flags, sizeof tags.flags);
-  return text;
-}
-
-void check_tags(const std::string& path) {
-  std::string section;
+// The node list beside a library, unless it is absent, older than the library or damaged.
+std::optional<NodeList> read_list_beside(const std::string& path) {
+  std::error_code error;
+  const auto written = fs::last_write_time(list_beside(path), error);
+  if (error || written < fs::last_write_time(path, error) || error) return std::nullopt;
+  std::ifstream in(list_beside(path), std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
   try {
-    section = read_section(path, plugin_tags_section);
-  } catch (const std::exception& error) {
-    throw PluginError("plugin " + path + " cannot be used: " + error.what());
+    return read_node_list(text.str());
+  } catch (const std::exception&) {
+    return std::nullopt;
   }
-  if (section.size() < sizeof(PluginTags))
-    throw PluginError("plugin " + path + " cannot be used: it has no Facegraph descriptor");
-  PluginTags tags;
-  std::memcpy(&tags, section.data(), sizeof tags);
-  if (std::memcmp(tags.magic, plugin_magic, sizeof tags.magic) != 0)
-    throw PluginError("plugin " + path + " cannot be used: it has no Facegraph descriptor");
-  const std::string text = disagreement(tags);
-  if (!text.empty()) throw PluginError("plugin " + path + " cannot be used: " + text);
 }
 
-NodeList list_of(const std::vector<NodeDeclaration>& nodes) {
-  NodeList list;
-  std::map<std::string, const TypeInfo*> types;
-  for (const NodeDeclaration& node : nodes) {
-    list.nodes.push_back(node.info);
-    for (const TypeInfo* type : node.input_types) types[type->name] = type;
-    for (const TypeInfo* type : node.output_types) types[type->name] = type;
+// Where the folder is writable. The list is as old as the library that it was made from, should that change meanwhile.
+void write_list_beside(const std::string& path, const NodeList& list, fs::file_time_type library_time) {
+  const fs::path final_path = list_beside(path);
+  const fs::path unfinished = final_path.string() + "." + std::to_string(::getpid());
+  std::error_code error;
+  {
+    std::ofstream out(unfinished, std::ios::binary);
+    out << write_node_list(list);
+    out.close();
+    if (!out) error = std::make_error_code(std::errc::io_error);
   }
-  for (const auto& [name, type] : types) {
-    TypeSummary summary{name, type->codec_version, type->doc, type->layout, {}};
-    for (const TypeInfo::View& view : type->views) summary.views.emplace_back(view.suffix, view.node);
-    list.types.push_back(std::move(summary));
-  }
-  return list;
+  if (!error) fs::last_write_time(unfinished, library_time, error);
+  if (!error) fs::rename(unfinished, final_path, error);
+  if (error) fs::remove(unfinished, error);
+}
+
+// The folder of the engine's own library, where the value types' library lies too.
+std::string engine_folder() {
+  Dl_info info;
+  if (::dladdr(reinterpret_cast<const void*>(&structural_nodes), &info) == 0) return {};
+  return fs::path(info.dli_fname).parent_path().string();
 }
 
 }  // namespace
@@ -75,36 +70,32 @@ struct Plugins::Library {
 };
 
 std::vector<NodeDeclaration> load_plugin(const std::string& path) {
-  check_tags(path);
   try {
-    // Never unloaded: values keep pointers into the library.
-    auto* library = new boost::dll::shared_library(path, boost::dll::load_mode::rtld_now);
-    if (!library->has(plugin_entry_symbol))
-      throw PluginError("plugin " + path + " cannot be used: it has no symbol " + plugin_entry_symbol);
-    return library->get<const PluginDescriptor>(plugin_entry_symbol).nodes();
-  } catch (const boost::system::system_error& error) {
-    std::string text = error.what();
-    if (const std::size_t bracket = text.find('('); bracket != std::string::npos) text = text.substr(bracket);
-    throw PluginError("plugin " + path + " cannot be loaded: " + text);
-  } catch (const PluginError&) {
-    throw;
+    return open_library(path);
   } catch (const std::exception& error) {
-    throw PluginError("plugin " + path + " cannot be loaded: " + error.what());
+    throw PluginError(unusable(path) + error.what());
   }
 }
 
 NodeList list_plugin(const std::string& path) { return list_of(load_plugin(path)); }
 
-Plugins::Plugins(std::vector<std::string> folders) {
+Plugins::Plugins(std::vector<std::string> folders, std::string lister)
+    : lister_(lister.empty() ? lister_beside_this_program() : std::move(lister)) {
   for (const NodeInfo& node : structural_nodes()) nodes_[node.name] = {&node, nullptr};
+  std::vector<std::vector<std::string>> found;
+  std::set<std::string> names;
   for (const std::string& folder : folders) {
     std::vector<std::string> paths;
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-      if (at->path().extension() == ".so") paths.push_back(at->path().string());
+      if (at->path().extension() == ".so" && names.insert(at->path().stem().string()).second)
+        paths.push_back(at->path().string());
     std::sort(paths.begin(), paths.end());
-    for (const std::string& path : paths) list(path);
+    found.push_back(std::move(paths));
   }
+  // From the last folder, so that a stranger's plugin never pushes an installed one aside.
+  for (auto paths = found.rbegin(); paths != found.rend(); ++paths)
+    for (const std::string& path : *paths) list(path);
 }
 
 Plugins::~Plugins() = default;
@@ -113,38 +104,36 @@ void Plugins::list(const std::string& path) {
   auto library = std::make_unique<Library>();
   library->path = path;
   library->name = fs::path(path).stem().string();
-  for (const auto& known : libraries_)
-    if (known->name == library->name) return;
-  try {
-    const fs::path sidecar = fs::path(path).replace_extension(".nodes.json");
-    std::error_code error;
-    if (fs::exists(sidecar, error) && fs::last_write_time(sidecar, error) >= fs::last_write_time(path, error)) {
-      std::ifstream in(sidecar, std::ios::binary);
-      std::ostringstream text;
-      text << in.rdbuf();
-      library->list = read_node_list(text.str());
-    } else {
-      load(*library);
+  const auto refuse = [&](const std::string& reason) {
+    Problem problem;
+    problem.place.file = path;
+    problem.text = reason;
+    problems_.push_back(std::move(problem));
+  };
+  if (std::optional<NodeList> list = read_list_beside(path)) {
+    library->list = std::move(*list);
+  } else {
+    try {
+      check_tags(path);
+      std::error_code error;
+      const auto time = fs::last_write_time(path, error);
+      library->list = first_load(path, lister_);
+      if (!error) write_list_beside(path, library->list, time);
+    } catch (const std::exception& error) {
+      return refuse(error.what());
     }
-  } catch (const std::exception& error) {
-    problems_.push_back({{path, 0, 0, ""}, error.what()});
-    return;
   }
   for (const NodeInfo& node : library->list.nodes) {
     const auto known = nodes_.find(node.name);
-    if (known != nodes_.end()) {
-      const std::string other = known->second.second ? "plugin " + known->second.second->path : std::string("the engine");
-      problems_.push_back({{path, 0, 0, ""}, "its node " + node.name + " is already declared by " + other + "; the plugin is not used"});
-      return;
-    }
+    if (known != nodes_.end())
+      return refuse("its node " + node.name + " is already declared by " +
+                    (known->second.second ? "plugin " + known->second.second->path : std::string("the engine")));
   }
   for (const TypeSummary& type : library->list.types) {
     const auto known = types_.find(type.name);
-    if (known != types_.end() && (known->second.layout != type.layout || known->second.codec_version != type.codec_version)) {
-      problems_.push_back({{path, 0, 0, ""}, "its type '" + type.name + "' is laid out differently in plugin " +
-                                                 type_library_[type.name]->path + "; the plugin is not used"});
-      return;
-    }
+    if (known != types_.end() &&
+        (known->second.layout != type.layout || known->second.codec_version != type.codec_version))
+      return refuse("its type " + type.name + " is laid out differently in plugin " + type_library_[type.name]->path);
   }
   for (const NodeInfo& node : library->list.nodes) nodes_[node.name] = {&node, library.get()};
   for (const TypeSummary& type : library->list.types)
@@ -155,10 +144,9 @@ void Plugins::list(const std::string& path) {
 void Plugins::load(Library& library) {
   if (library.loaded) return;
   library.nodes = load_plugin(library.path);
-  const NodeList list = list_of(library.nodes);
-  if (!library.list.nodes.empty() && write_node_list(list) != write_node_list(library.list))
-    throw PluginError("plugin " + library.path + " is not the one its node list was written for: rebuild it, or delete the list beside it");
-  if (library.list.nodes.empty()) library.list = list;
+  if (write_node_list(list_of(library.nodes)) != write_node_list(library.list))
+    throw PluginError(unusable(library.path) + "its node list was written for another library: delete " +
+                      list_beside(library.path).string());
   library.loaded = true;
 }
 
@@ -215,7 +203,7 @@ Digest Plugins::digest(std::string_view node) {
   if (at == nodes_.end() || !at->second.second) return {};
   Library& library = *at->second.second;
   if (library.digest.empty())
-    library.digest = library_digest(library.path, {fs::path(library.path).parent_path().string()});
+    library.digest = library_digest(library.path, {fs::path(library.path).parent_path().string(), engine_folder()});
   return library.digest;
 }
 

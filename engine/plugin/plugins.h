@@ -14,12 +14,16 @@
 
 namespace engine {
 
-// The plugins found in the declared folders. Listing reads the node list beside each library; a library is loaded when a
-// task first needs its code, and kept for the life of the process. Safe for several threads.
+// The plugins found in the declared folders. Listing reads the node list beside each library; a library without one, or
+// with an older one, is first loaded in a process of its own, which writes it. A library is loaded here when a task
+// first needs its code, and kept for the life of the process. Safe for several threads.
 class Plugins {
  public:
-  // Folders are searched in order; a plugin whose name was seen before is ignored.
-  explicit Plugins(std::vector<std::string> folders);
+  // Folders are searched in order; a plugin whose name was seen before is ignored. Where two plugins declare one node,
+  // or lay one type out differently, that of the later folder stays: installed plugins come last. lister: the program
+  // that loads a library for the first time, `lister LIBRARY LIST`; empty = facegraph_list_nodes beside the running
+  // program.
+  explicit Plugins(std::vector<std::string> folders, std::string lister = {});
   ~Plugins();
 
   // Of every plugin and of the engine itself; null where there is none.
@@ -38,7 +42,7 @@ class Plugins {
   // The digest of a node's plugin (ARCHITECTURE section 5), computed once. Empty for the engine's own nodes.
   Digest digest(std::string_view node);
 
-  // What was found wrong while listing, a line each; good plugins stay usable.
+  // Why plugins are not used, as far as listing shows it: the library and a sentence each. Good plugins stay usable.
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
@@ -46,6 +50,7 @@ class Plugins {
   void list(const std::string& path);
   void load(Library& library);
 
+  std::string lister_;
   mutable std::mutex mutex_;
   std::vector<std::unique_ptr<Library>> libraries_;
   std::map<std::string, std::pair<const NodeInfo*, Library*>, std::less<>> nodes_;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Its initialiser ends the process.
+#include <csignal>
+#include <cstdio>
+
+#include "engine/node.h"
+
+namespace {
+
+double half(const double& number) { return number / 2; }
+
+int crash() {
+  std::fputs("first line\n\n  second line\n", stderr);
+  return std::raise(SIGSEGV);
+}
+const int crashed = crash();
+
+}  // namespace
+
+using namespace engine::declare;
+NODE("crashing_initialiser.half", &half, version{1},
+     doc{"Halves a number."},
+     input{"number", "A number"},
+     output("half", "Half of it"));

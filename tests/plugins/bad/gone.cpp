@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+double gone(double number);
+double gone(double number) { return number; }
