@@ -42,7 +42,8 @@ std::vector<float> enclosed_by_nose(const Mesh& mesh) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t f = 0; f < mesh.polygon_count(); ++f)
     for (std::uint32_t c = mesh.polygon_starts[f] + 2; c < mesh.polygon_starts[f + 1]; ++c) {
-      const std::array<std::uint32_t, 3> triangle = {mesh.corners[mesh.polygon_starts[f]], mesh.corners[c - 1], mesh.corners[c]};
+      const std::array<std::uint32_t, 3> triangle = {mesh.corners[mesh.polygon_starts[f]], mesh.corners[c - 1],
+                                                     mesh.corners[c]};
       if (near_nostrils(triangle[0], reach_mm)) triangles.push_back(triangle);
     }
   std::vector<Vec3f> directions = {{0, 1, 0}};

@@ -17,8 +17,8 @@ struct Camera {
   float centre_y_px = 319.5f;
 };
 
-// A camera that orbits a point: at yaw 0 and pitch 0 it stands on the +z side and looks along -z; a positive yaw moves it
-// to +x (the head's left side comes into view), a positive pitch moves it up. field_of_view_deg is the vertical one.
+// A camera that orbits a point: at yaw 0 and pitch 0 it stands on the +z side and looks along -z; a positive yaw moves
+// it to +x (the head's left side comes into view), a positive pitch moves it up. field_of_view_deg is the vertical one.
 Camera orbit_camera(const Vec3f& target_mm, float distance_mm, float yaw_deg, float pitch_deg, float field_of_view_deg,
                     int width_px, int height_px);
 

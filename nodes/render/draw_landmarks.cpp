@@ -17,7 +17,9 @@ constexpr Colour tracked = {60, 230, 90}, lost = {240, 60, 50}, outline = {10, 2
 
 void blend(Image& image, int x, int y, const Colour& colour, double opacity) {
   std::uint8_t* pixel =
-      &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3];
+      &image
+           .pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                   3];
   for (std::size_t c = 0; c < 3; ++c)
     pixel[c] = static_cast<std::uint8_t>(pixel[c] + opacity * (colour[c] - pixel[c]) + 0.5);
 }

@@ -9,8 +9,8 @@ struct DrawLandmarksOptions {
   double radius_px = 2.5;
 };
 
-// The frame as RGB with a dot on every point: green where it is tracked, a red ring where it is lost. Points outside the
-// frame are left out.
+// The frame as RGB with a dot on every point: green where it is tracked, a red ring where it is lost. Points outside
+// the frame are left out.
 Image draw_landmarks(const Image& frame, const Landmarks& landmarks, const DrawLandmarksOptions& options = {});
 
 }  // namespace face::render

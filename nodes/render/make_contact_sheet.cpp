@@ -19,14 +19,17 @@ std::string ascii(const std::string& text) {
   std::string out;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 32 && byte < 127) out += c;
-    else if (byte < 0x80 || byte >= 0xC0) out += '?';
+    if (byte >= 32 && byte < 127)
+      out += c;
+    else if (byte < 0x80 || byte >= 0xC0)
+      out += '?';
   }
   return out;
 }
 
 // Centred on x, with its base line on y; made smaller where it is wider than the room.
-void write_text(cv::Mat& sheet, const std::string& text, int x, int y, int room_px, double height_px, const cv::Scalar& colour) {
+void write_text(cv::Mat& sheet, const std::string& text, int x, int y, int room_px, double height_px,
+                const cv::Scalar& colour) {
   if (text.empty()) return;
   constexpr double font_height_px = 22;  // of a capital at scale 1
   double scale = height_px / font_height_px;
@@ -51,7 +54,8 @@ Image make_contact_sheet(const std::vector<Image>& images, const std::vector<Cap
   const int width = images[0].width, height = images[0].height;
   const int large_px = std::clamp(height / 14, 8, 40), small_px = std::clamp(height / 20, 7, 28);
   const int caption_px = captions.empty() ? 0 : large_px + small_px + large_px;
-  cv::Mat sheet(rows * (height + caption_px + gap_px) + gap_px, used_columns * (width + gap_px) + gap_px, CV_8UC3, paper);
+  cv::Mat sheet(rows * (height + caption_px + gap_px) + gap_px, used_columns * (width + gap_px) + gap_px, CV_8UC3,
+                paper);
   for (int i = 0; i < count; ++i) {
     Image tile = rgb_image(images[static_cast<std::size_t>(i)]);
     check(tile.width == width && tile.height == height, "picture ", i, " is ", tile.width, " x ", tile.height,

@@ -18,7 +18,8 @@ struct Opening {
 
 bool is_in_mouth(const std::string& part) {
   constexpr std::array<std::string_view, 4> words = {"mouth", "gum", "tongue", "teeth"};
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return part.find(word) != std::string::npos; });
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return part.find(word) != std::string::npos; });
 }
 
 Vec3f mean_of(const std::vector<Vec3f>& points) {

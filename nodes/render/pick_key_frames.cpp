@@ -20,7 +20,8 @@ double interest_of(const std::string& label) {
   if (is_silence(label)) return -10;
   if (std::find(contacts.begin(), contacts.end(), label) != contacts.end()) return 1.2;
   if (vowel_letters.find(label[0]) != std::string_view::npos) return 1.0;
-  if (label == "W" || label == "SH" || label == "CH" || label == "JH" || label == "TH" || label == "DH" || label == "L") return 0.8;
+  if (label == "W" || label == "SH" || label == "CH" || label == "JH" || label == "TH" || label == "DH" || label == "L")
+    return 0.8;
   if (label.size() > 2 && label.ends_with(".r")) return -0.5;
   return 0.3;
 }
@@ -40,7 +41,8 @@ std::vector<KeyFrame> pick_key_frames(const Phones& phones, const Timeline& time
   std::vector<bool> taken(phones.phones.size(), false);
   std::map<std::string, int> times_picked;
   std::map<std::size_t, std::size_t> phone_of_frame;
-  const bool any_sound = std::any_of(phones.phones.begin(), phones.phones.end(), [](const Phone& p) { return !is_silence(p.label); });
+  const bool any_sound =
+      std::any_of(phones.phones.begin(), phones.phones.end(), [](const Phone& p) { return !is_silence(p.label); });
   for (;;) {
     std::size_t best = phones.phones.size();
     double best_interest = -1e9;

@@ -66,7 +66,8 @@ void fill_wide(const Snapped& a, const Snapped& b, const Snapped& c, const Filli
       const std::int64_t step = x - f.box.x0;
       const std::size_t pixel = raster.index(x, row);
       const float z = row_value + f.plane_x * static_cast<float>(x);
-      const bool inside = ((e0.value + e0.step_x * step) | (e1.value + e1.step_x * step) | (e2.value + e2.step_x * step)) >= 0;
+      const bool inside =
+          ((e0.value + e0.step_x * step) | (e1.value + e1.step_x * step) | (e2.value + e2.step_x * step)) >= 0;
       if (inside && z > raster.inverse_depth_per_mm[pixel]) {
         raster.inverse_depth_per_mm[pixel] = z;
         raster.triangles[pixel] = f.id;
@@ -90,8 +91,8 @@ V load(const T* place) {
   return value;
 }
 
-// Eight pixels of a row at once; lanes right of the box keep what they hold. The compiler's vector types: no intrinsics,
-// same arithmetic as fill_wide.
+// Eight pixels of a row at once; lanes right of the box keep what they hold. The compiler's vector types: no
+// intrinsics, same arithmetic as fill_wide.
 void fill_narrow(const Snapped& a, const Snapped& b, const Snapped& c, const Filling& f, Raster& raster) {
   Edge<std::int32_t> e0 = edge<std::int32_t>(b, c, f.box), e1 = edge<std::int32_t>(c, a, f.box),
                      e2 = edge<std::int32_t>(a, b, f.box);
@@ -139,8 +140,8 @@ void draw(Snapped a, Snapped b, Snapped c, Culling culling, std::int32_t id, Ras
   box.y0 = std::max(0, ceil_to_pixel(std::min({a.y, b.y, c.y})));
   box.y1 = std::min(raster.height_px - 1, floor_to_pixel(std::max({a.y, b.y, c.y})));
   if (box.x0 > box.x1 || box.y0 > box.y1) return;
-  std::int64_t area = static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) -
-                      static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
+  std::int64_t area =
+      static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) - static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
   if (area == 0) return;
   // Counter-clockwise with y up is clockwise with y down, which makes this area negative.
   if (area > 0) {
@@ -149,7 +150,8 @@ void draw(Snapped a, Snapped b, Snapped c, Culling culling, std::int32_t id, Ras
     std::swap(b, c);
     area = -area;
   }
-  // 1 / depth as a plane over the picture: value at pixel (0, 0) and slopes, in double so that large triangles stay exact.
+  // 1 / depth as a plane over the picture: value at pixel (0, 0) and slopes, in double so that large triangles stay
+  // exact.
   const double scale = 1.0 / static_cast<double>(subpixels);
   const double bx = (b.x - a.x) * scale, by = (b.y - a.y) * scale, bz = b.inverse_depth - a.inverse_depth;
   const double cx = (c.x - a.x) * scale, cy = (c.y - a.y) * scale, cz = c.inverse_depth - a.inverse_depth;
@@ -157,7 +159,8 @@ void draw(Snapped a, Snapped b, Snapped c, Culling culling, std::int32_t id, Ras
   const double slope_x = (bz * cy - cz * by) * inverse_area;
   const double slope_y = (cz * bx - bz * cx) * inverse_area;
   const double origin = a.inverse_depth - slope_x * a.x * scale - slope_y * a.y * scale;
-  const Filling filling = {box, static_cast<float>(origin), static_cast<float>(slope_x), static_cast<float>(slope_y), id};
+  const Filling filling = {box, static_cast<float>(origin), static_cast<float>(slope_x), static_cast<float>(slope_y),
+                           id};
   // 32-bit edge functions suffice unless the triangle spans more than 110 pixels or so; the lanes may stick out of the
   // box by seven. At the very end of the picture they would stick out of memory.
   const std::int64_t spread = std::max({std::abs(a.x - b.x), std::abs(b.x - c.x), std::abs(c.x - a.x),

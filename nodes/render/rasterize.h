@@ -32,23 +32,24 @@ struct RasterOptions {
 struct Raster {
   int width_px = 0;
   int height_px = 0;
-  std::vector<std::int32_t> triangles;        // index of the nearest triangle, -1 where there is none
-  std::vector<float> inverse_depth_per_mm;    // 1 / depth, which is linear in the picture; 0 where there is nothing
+  std::vector<std::int32_t> triangles;      // index of the nearest triangle, -1 where there is none
+  std::vector<float> inverse_depth_per_mm;  // 1 / depth, which is linear in the picture; 0 where there is nothing
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
   }
 };
 
-// Finds the nearest triangle at every pixel centre. Vertices are snapped to 1/256 pixel and edges evaluated in integers,
-// with the top-left rule of Direct3D and OpenGL: a pixel centre on an edge shared by two triangles belongs to exactly
-// one of them. Of triangles at equal depth the first is kept, so the result does not depend on anything but its input.
-// (Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988.)
-// Differs from the paper: rows are walked in order, without tiles.
+// Finds the nearest triangle at every pixel centre. Vertices are snapped to 1/256 pixel and edges evaluated in
+// integers, with the top-left rule of Direct3D and OpenGL: a pixel centre on an edge shared by two triangles belongs to
+// exactly one of them. Of triangles at equal depth the first is kept, so the result does not depend on anything but its
+// input. (Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988.) Differs from the paper: rows are
+// walked in order, without tiles.
 Raster rasterize(const std::vector<ScreenPoint>& points, const std::vector<Triangle>& triangles,
                  const RasterOptions& options = {});
 
-// The same into an existing raster, whose memory is used again. A large picture costs more in fresh pages than in pixels.
+// The same into an existing raster, whose memory is used again. A large picture costs more in fresh pages than in
+// pixels.
 void rasterize_into(const std::vector<ScreenPoint>& points, const std::vector<Triangle>& triangles,
                     const RasterOptions& options, Raster& raster);
 

@@ -43,8 +43,8 @@ Bounds visible_bounds(const Mesh& mesh) {
   return bounds;
 }
 
-// The box to show: the whole of a mesh that has no marks; else from the top of the head to a little below the chin, without
-// the shoulders, or the face alone. The chin is landmark 8, or a quarter of the way down again below the lips.
+// The box to show: the whole of a mesh that has no marks; else from the top of the head to a little below the chin,
+// without the shoulders, or the face alone. The chin is landmark 8, or a quarter of the way down again below the lips.
 Bounds framed_bounds(const Rig& rig, Framing framing) {
   Bounds bounds = visible_bounds(rig.neutral);
   if (bounds.empty || (rig.landmarks68.size() != 68 && rig.inner_lips.empty())) return bounds;
@@ -95,7 +95,9 @@ Overlay draw_lashes(const Scene& scene, const RasterOptions& whole) {
       y0 = std::min(y0, scene.screen[v].y_px);
       y1 = std::max(y1, scene.screen[v].y_px);
     }
-  const auto inside = [](float value, int size) { return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(size))); };
+  const auto inside = [](float value, int size) {
+    return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(size)));
+  };
   overlay.x0 = inside(std::floor(x0), whole.width_px);
   overlay.y0 = inside(std::floor(y0), whole.height_px);
   RasterOptions options = whole;
@@ -162,8 +164,8 @@ Vec3f sample_colour(const Pictures& pictures, int x, int y) {
   Vec3f colour = opaque_colour(pictures, x, y);
   if (lash_covers(pictures, x, y)) {
     const Overlay& overlay = pictures.lashes;
-    const Shaded lash = shade_sample(scene, scene.lashes, overlay.screen, overlay.triangle_at(x, y), x - overlay.x0,
-                                     y - overlay.y0);
+    const Shaded lash =
+        shade_sample(scene, scene.lashes, overlay.screen, overlay.triangle_at(x, y), x - overlay.x0, y - overlay.y0);
     for (std::size_t c = 0; c < 3; ++c) colour[c] += lash.opacity * (lash.colour[c] - colour[c]);
   }
   // Clamped before the mean of the samples: an overbright one must not bleed over an edge.

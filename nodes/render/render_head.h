@@ -23,9 +23,10 @@ struct RenderHeadOptions {
   double background_blue = 0.22;
 };
 
-// A picture of the head at given weights: the posed mesh with smooth normals under a soft portrait light from the front.
-// Albedo is the part's times the vertex colour. Parts that are not visible are left out. Parts whose names hold "lash" are
-// drawn half transparent; those of mouth, gums, tongue and teeth get the light that comes in between the lips. Same input, same picture, bit for bit.
+// A picture of the head at given weights: the posed mesh with smooth normals under a soft portrait light from the
+// front. Albedo is the part's times the vertex colour. Parts that are not visible are left out. Parts whose names hold
+// "lash" are drawn half transparent; those of mouth, gums, tongue and teeth get the light that comes in between the
+// lips. Same input, same picture, bit for bit.
 Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOptions& options = {});
 
 // The camera that render_head uses: it is found from the neutral mesh, so it stands still while the face moves.

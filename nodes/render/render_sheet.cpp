@@ -37,7 +37,8 @@ Image render_sheet(const Rig& rig, const engine::Seq<Weights>& weights, const Ti
   for (const KeyFrame& key : pick_key_frames(phones, timeline, static_cast<std::size_t>(options.pictures))) {
     const Phone& phone = phones.phones[key.phone];
     pictures.push_back(render_head(rig, *weights.at(key.frame), view));
-    captions.push_back({phone.label, (phone.word.empty() ? "" : phone.word + "  ") + seconds_text(timeline.time_s[key.frame])});
+    captions.push_back(
+        {phone.label, (phone.word.empty() ? "" : phone.word + "  ") + seconds_text(timeline.time_s[key.frame])});
   }
   if (pictures.empty()) {  // no phones: the first frame stands for all
     pictures.push_back(render_head(rig, *weights.at(0), view));

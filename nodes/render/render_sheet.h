@@ -16,7 +16,8 @@ struct RenderSheetOptions {
   double yaw_deg = 10;   // slightly from the side: lips that protrude are seen
 };
 
-// A contact sheet of an animation: the face in key frames (pick_key_frames) with the phone, its word and its time under each.
+// A contact sheet of an animation: the face in key frames (pick_key_frames) with the phone, its word and its time under
+// each.
 Image render_sheet(const Rig& rig, const engine::Seq<Weights>& weights, const Timeline& timeline, const Phones& phones,
                    const RenderSheetOptions& options = {});
 

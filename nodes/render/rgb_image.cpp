@@ -10,8 +10,8 @@ namespace face::render {
 Image rgb_image(const Image& image) {
   check(image.channels == 1 || image.channels == 3 || image.channels == 4, "the image has ", image.channels,
         " channels, expected 1, 3 or 4");
-  const std::size_t count = static_cast<std::size_t>(std::max(0, image.width)) *
-                            static_cast<std::size_t>(std::max(0, image.height));
+  const std::size_t count =
+      static_cast<std::size_t>(std::max(0, image.width)) * static_cast<std::size_t>(std::max(0, image.height));
   const auto channels = static_cast<std::size_t>(image.channels);
   check(image.pixels.size() == count * channels, "the image has ", image.pixels.size(), " bytes, expected ",
         count * channels, " for ", image.width, " x ", image.height, " x ", image.channels);

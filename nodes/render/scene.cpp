@@ -18,7 +18,8 @@ bool is_lash(const std::string& part) { return part.find("lash") != std::string:
 
 // Moves the triangles of lash parts to their own list.
 void split_lashes(const Mesh& mesh, Triangulation& all, Triangulation& lashes) {
-  if (std::none_of(mesh.parts.begin(), mesh.parts.end(), [](const Part& p) { return p.visible && is_lash(p.name); })) return;
+  if (std::none_of(mesh.parts.begin(), mesh.parts.end(), [](const Part& p) { return p.visible && is_lash(p.name); }))
+    return;
   Triangulation rest;
   rest.triangles.reserve(all.triangles.size());
   rest.polygons.reserve(all.triangles.size());
@@ -109,9 +110,18 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
   constexpr float darkest = 0.35f;
   // Directions of a hexagon, turned from ring to ring.
   constexpr float s = 0.8660254f;
-  constexpr std::array<std::array<float, 2>, 12> directions = {{{1, 0}, {0.5f, s}, {-0.5f, s}, {-1, 0}, {-0.5f, -s},
-                                                                {0.5f, -s}, {s, 0.5f}, {0, 1}, {-s, 0.5f}, {-s, -0.5f},
-                                                                {0, -1}, {s, -0.5f}}};
+  constexpr std::array<std::array<float, 2>, 12> directions = {{{1, 0},
+                                                                {0.5f, s},
+                                                                {-0.5f, s},
+                                                                {-1, 0},
+                                                                {-0.5f, -s},
+                                                                {0.5f, -s},
+                                                                {s, 0.5f},
+                                                                {0, 1},
+                                                                {-s, 0.5f},
+                                                                {-s, -0.5f},
+                                                                {0, -1},
+                                                                {s, -0.5f}}};
   const std::array<float, 9>& r = camera.cam_from_world;
   for (std::size_t v = 0; v < scene.points_mm.size(); ++v) {
     if (scene.mouth.inside[v]) continue;  // dark already
@@ -129,7 +139,8 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
     const float behind_mm = in_front > 0 ? at.depth_mm - 1.0f / in_front : 0.0f;
     if (behind_mm > hidden_mm) {
       const float depth = std::min(1.0f, behind_mm / crevice_mm);
-      scene.exposure[v] = 1.0f - 2.2f * depth * (1.0f - depth);  // no jump where a vertex goes out of sight or out of reach
+      scene.exposure[v] =
+          1.0f - 2.2f * depth * (1.0f - depth);  // no jump where a vertex goes out of sight or out of reach
       continue;
     }
     if (normal[2] < -0.2f) continue;
@@ -159,8 +170,8 @@ void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& sce
 
 namespace {
 
-// Light per unit of albedo inside the mouth. Deep inside it comes from the opening alone, whatever the lamps outside: no
-// lamp shines on a molar from behind. Near the lips it goes over to that of the face.
+// Light per unit of albedo inside the mouth. Deep inside it comes from the opening alone, whatever the lamps outside:
+// no lamp shines on a molar from behind. Near the lips it goes over to that of the face.
 Vec3f light_in_mouth(const Scene& scene, std::size_t v, const Vec3f& diffuse) {
   constexpr Vec3f in_front = {1.05f, 0.98f, 0.88f};  // what falls on the face, seen through the lips
   constexpr Vec3f reddened = {1.0f, 0.68f, 0.48f};   // of it, by lips, cheeks and gums on the way in
@@ -182,7 +193,8 @@ Vec3f light_in_mouth(const Scene& scene, std::size_t v, const Vec3f& diffuse) {
 
 void light_scene(Scene& scene) {
   constexpr Vec3f darkest_flesh = {0.20f, 0.038f, 0.033f};  // linear; a throat painted black is still flesh
-  // A vertex has the material of the last triangle that uses it: at the border of skin and mouth that is as good as any.
+  // A vertex has the material of the last triangle that uses it: at the border of skin and mouth that is as good as
+  // any.
   std::vector<std::uint16_t> material_of(scene.points_mm.size(), 0);
   for (const Triangulation* mesh : {&scene.opaque, &scene.lashes})
     for (std::size_t t = 0; t < mesh->triangles.size(); ++t)

@@ -15,9 +15,9 @@ namespace face::render {
 // What is interpolated over a triangle, in one place per vertex: the four vectors are as the compiler adds them.
 struct VertexLook {
   using Four = float __attribute__((vector_size(16)));
-  Four light = {0, 0, 0, 0};     // linear diffuse light x tint x exposure; exposure
-  Four normal = {0, 0, 0, 0};    // unit; opacity
-  Four view_mm = {0, 0, 0, 0};   // from the vertex to the eye; soft highlight, linear, already x exposure
+  Four light = {0, 0, 0, 0};    // linear diffuse light x tint x exposure; exposure
+  Four normal = {0, 0, 0, 0};   // unit; opacity
+  Four view_mm = {0, 0, 0, 0};  // from the vertex to the eye; soft highlight, linear, already x exposure
 };
 
 // A posed head, ready to be rasterised and shaded.
@@ -44,10 +44,10 @@ struct Scene {
 // Poses the rig and sees it through the camera. exposure holds the mouth's only, looks are empty.
 Scene make_scene(const Rig& rig, const Weights& weights, const Camera& camera, const SrgbTable& srgb);
 
-// Darkens exposure where nearer surfaces stand around a vertex: the corners of the eyes, beside the nose, under the chin.
-// Every vertex that faces the camera looks at the depth picture along 6 directions at 3 distances (the obscurance of
-// McGuire et al., The Alchemy Screen-Space Ambient Obscurance Algorithm, HPG 2011, eq. 10).
-// Differs from the paper: evaluated at vertices, so it is smooth and costs nothing per pixel; the samples do not vary.
+// Darkens exposure where nearer surfaces stand around a vertex: the corners of the eyes, beside the nose, under the
+// chin. Every vertex that faces the camera looks at the depth picture along 6 directions at 3 distances (the obscurance
+// of McGuire et al., The Alchemy Screen-Space Ambient Obscurance Algorithm, HPG 2011, eq. 10). Differs from the paper:
+// evaluated at vertices, so it is smooth and costs nothing per pixel; the samples do not vary.
 void add_screen_occlusion(const Raster& raster, const Camera& camera, Scene& scene);
 
 // Gloss up to which highlights are so wide that they are found at vertices; above, at every pixel.

@@ -39,7 +39,8 @@ SrgbTable::SrgbTable() : linear_(linear_size + 2), encoded_(encoded_size + 1) {
   int code = 0;
   double threshold = to_linear(0.5 / 255.0);
   for (int i = 0; i <= encoded_size; ++i) {
-    while (code < 255 && static_cast<double>(i) / encoded_size >= threshold) threshold = to_linear((++code + 0.5) / 255.0);
+    while (code < 255 && static_cast<double>(i) / encoded_size >= threshold)
+      threshold = to_linear((++code + 0.5) / 255.0);
     encoded_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(code);
   }
 }

@@ -23,25 +23,27 @@ struct Light {
   Vec3f colour;     // linear
 };
 
-// A soft portrait set for a head that faces +z: a key light from the upper left of the picture, a weaker cool fill from the
-// right, a rim light from behind and a sky above a warm ground.
+// A soft portrait set for a head that faces +z: a key light from the upper left of the picture, a weaker cool fill from
+// the right, a rim light from behind and a sky above a warm ground.
 inline constexpr Light key_light = {{-0.4000f, 0.4500f, 0.7984f}, {0.95f, 0.90f, 0.83f}};
 inline constexpr Light fill_light = {{0.7071f, 0.1000f, 0.7000f}, {0.20f, 0.22f, 0.26f}};
 inline constexpr Light rim_light = {{0.6500f, 0.4000f, -0.6461f}, {0.55f, 0.60f, 0.70f}};
 inline constexpr Vec3f sky_light = {0.25f, 0.27f, 0.31f};
 inline constexpr Vec3f ground_light = {0.15f, 0.115f, 0.095f};
 
-// Linear light that a surface with this unit normal scatters, per unit of albedo. scatter: 1 for skin, where light wraps past the
-// terminator, red the most, as it does in skin (the wrap of Green, Real-Time Approximations to Subsurface Scattering,
-// GPU Gems 2004); 0 for Lambert's law. It varies slowly, so it is found at vertices and interpolated.
+// Linear light that a surface with this unit normal scatters, per unit of albedo. scatter: 1 for skin, where light
+// wraps past the terminator, red the most, as it does in skin (the wrap of Green, Real-Time Approximations to
+// Subsurface Scattering, GPU Gems 2004); 0 for Lambert's law. It varies slowly, so it is found at vertices and
+// interpolated.
 Vec3f diffuse_light(const Vec3f& normal, float scatter);
 
-// Mirrored key and fill light on a glossy surface, linear, white. gloss as in Part. Blinn's highlight (1977) with Schlick's
-// Fresnel term (1994). Neither vector need be of unit length.
-inline float highlight(const Light& light, const Vec3f& unit_normal, const Vec3f& unit_view, float gloss, int doublings) {
+// Mirrored key and fill light on a glossy surface, linear, white. gloss as in Part. Blinn's highlight (1977) with
+// Schlick's Fresnel term (1994). Neither vector need be of unit length.
+inline float highlight(const Light& light, const Vec3f& unit_normal, const Vec3f& unit_view, float gloss,
+                       int doublings) {
   if (dot(unit_normal, light.direction) <= 0) return 0;
-  const Vec3f half = normalized({light.direction[0] + unit_view[0], light.direction[1] + unit_view[1],
-                                 light.direction[2] + unit_view[2]});
+  const Vec3f half = normalized(
+      {light.direction[0] + unit_view[0], light.direction[1] + unit_view[1], light.direction[2] + unit_view[2]});
   float cosine = std::max(0.0f, dot(unit_normal, half));
   const float facing = std::max(0.0f, 1.0f - dot(unit_view, half));
   const float squared = facing * facing;

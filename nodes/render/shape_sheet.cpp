@@ -15,10 +15,12 @@ namespace {
 
 Image side_by_side(const Image& left, const Image& right) {
   Image both{left.width + right.width, left.height, 3, {}};
-  const auto left_row = static_cast<std::ptrdiff_t>(left.width) * 3, right_row = static_cast<std::ptrdiff_t>(right.width) * 3;
+  const auto left_row = static_cast<std::ptrdiff_t>(left.width) * 3,
+             right_row = static_cast<std::ptrdiff_t>(right.width) * 3;
   for (std::ptrdiff_t y = 0; y < left.height; ++y) {
     both.pixels.insert(both.pixels.end(), left.pixels.begin() + y * left_row, left.pixels.begin() + (y + 1) * left_row);
-    both.pixels.insert(both.pixels.end(), right.pixels.begin() + y * right_row, right.pixels.begin() + (y + 1) * right_row);
+    both.pixels.insert(both.pixels.end(), right.pixels.begin() + y * right_row,
+                       right.pixels.begin() + (y + 1) * right_row);
   }
   return both;
 }

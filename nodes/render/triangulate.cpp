@@ -14,8 +14,8 @@ Triangulation triangulate(const Mesh& mesh, bool visible_only) {
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     const Part& part = mesh.parts[p];
     check(static_cast<std::size_t>(part.first_polygon) + part.polygon_count <= polygon_count, "part \"", part.name,
-          "\" ends at polygon ", static_cast<std::size_t>(part.first_polygon) + part.polygon_count, ", but the mesh has ",
-          polygon_count);
+          "\" ends at polygon ", static_cast<std::size_t>(part.first_polygon) + part.polygon_count,
+          ", but the mesh has ", polygon_count);
     for (std::uint32_t i = 0; i < part.polygon_count; ++i) {
       part_of_polygon[part.first_polygon + i] = static_cast<std::uint16_t>(p);
       if (visible_only && !part.visible) drawn[part.first_polygon + i] = false;

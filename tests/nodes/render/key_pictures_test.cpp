@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the faces that matter most and measures in the pictures what one would look for: light from the front, lips that
-// meet, teeth and a dark red mouth behind open ones, eyes with irises and lids that hide them. On both heads.
+// Renders the faces that matter most and measures in the pictures what one would look for: light from the front, lips
+// that meet, teeth and a dark red mouth behind open ones, eyes with irises and lids that hide them. On both heads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,9 @@ Weights weights_of(const Pose& pose) {
   return weights;
 }
 
-int luminance(const Rgb& p) { return (54 * p[0] + 183 * p[1] + 19 * p[2]) / 256; }  // Rec. 709, of codes: good to compare
+int luminance(const Rgb& p) {
+  return (54 * p[0] + 183 * p[1] + 19 * p[2]) / 256;
+}  // Rec. 709, of codes: good to compare
 bool is_skin(const Rgb& p) { return p[0] > 60 && p[0] > p[1] + 12 && p[1] >= p[2] - 2; }
 // Bright and of little colour: teeth, or the white of an eye. Lips and skin have half as much blue as red.
 bool is_white(const Rgb& p) {
@@ -118,7 +120,8 @@ int gap_rows(const Shot& shot) {
     std::vector<int> sorted = column;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 3 / 4), sorted.end());
     const int lips = sorted[sorted.size() * 3 / 4];
-    most = std::max(most, static_cast<int>(std::count_if(column.begin(), column.end(), [&](int l) { return l < 0.4 * lips; })));
+    most = std::max(
+        most, static_cast<int>(std::count_if(column.begin(), column.end(), [&](int l) { return l < 0.4 * lips; })));
   }
   return most;
 }
@@ -127,8 +130,13 @@ std::vector<Rgb> lips_and_between(const Shot& shot) { return shot.inside(shot.ou
 
 // The pose of M with the mouthClose that brings the lips together, as the trajectory does it.
 Pose lips_closed(const Rig& rig) {
-  Pose pose = {{"jawOpen", 0.1f}, {"mouthPress", 0.16f}, {"mouthRollLower", 0.06f}, {"mouthRollUpper", 0.05f}, {"mouthClose", 0}};
-  while (pose.back().second < 1 && lip_gap_mm(rig, pose_points(rig, weights_of(pose))) > 0) pose.back().second += 0.005f;
+  Pose pose = {{"jawOpen", 0.1f},
+               {"mouthPress", 0.16f},
+               {"mouthRollLower", 0.06f},
+               {"mouthRollUpper", 0.05f},
+               {"mouthClose", 0}};
+  while (pose.back().second < 1 && lip_gap_mm(rig, pose_points(rig, weights_of(pose))) > 0)
+    pose.back().second += 0.005f;
   return pose;
 }
 
@@ -182,7 +190,7 @@ TEST_P(KeyPictures, LightTheFaceFromTheFront) {
     return sum / static_cast<double>(pixels.size());
   };
   const double right_mean = mean(shot.inside(right)), left_mean = mean(shot.inside(left));
-  EXPECT_GT(right_mean, left_mean);  // the key light comes from the picture's left...
+  EXPECT_GT(right_mean, left_mean);         // the key light comes from the picture's left...
   EXPECT_GT(left_mean, 0.75 * right_mean);  // ...and leaves no dark side
   EXPECT_GT(left_mean, 100);
   EXPECT_LT(right_mean, 215);
@@ -256,7 +264,8 @@ TEST_P(KeyPictures, ShowIrisesThatABlinkHides) {
     int darkest = 255;
     for (int y = -4; y <= 4; ++y)
       for (int x = -4; x <= 4; ++x)
-        darkest = std::min(darkest, luminance(open.at(static_cast<int>(centre.x_px) + x, static_cast<int>(centre.y_px) + y)));
+        darkest =
+            std::min(darkest, luminance(open.at(static_cast<int>(centre.x_px) + x, static_cast<int>(centre.y_px) + y)));
     EXPECT_LT(darkest, 40) << "no pupil";
     EXPECT_EQ(share(hidden, [](const Rgb& p) { return p[2] > p[0]; }), 0) << "an iris through the lid";
     EXPECT_LT(share(hidden, is_white), 0.01) << "white through the lid";

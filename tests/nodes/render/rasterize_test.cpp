@@ -41,15 +41,15 @@ TEST(Rasterize, GivesEveryPixelOfAFanToExactlyOneTriangle) {
     points.push_back({static_cast<float>(random.uniform(1, 31)), static_cast<float>(random.uniform(1, 31)), 10});
     if (seed == 0) points[4] = {16, 16, 10};  // edges straight through pixel centres
     int total = 0;
-    for (std::uint32_t i = 0; i < 4; ++i)
-      total += covered(rasterize(points, {{i, (i + 1) % 4, 4}}, picture(40, 40)));
+    for (std::uint32_t i = 0; i < 4; ++i) total += covered(rasterize(points, {{i, (i + 1) % 4, 4}}, picture(40, 40)));
     EXPECT_EQ(total, 32 * 32) << "seed " << seed;
   }
 }
 
 TEST(Rasterize, GivesTheSamePixelsToSmallAndToLargeTriangles) {
   // 32-bit and 64-bit edge functions: one large triangle equals its four quarters.
-  const std::vector<ScreenPoint> points = {{3, 5, 10}, {403, 25, 10}, {103, 385, 10}, {203, 15, 10}, {253, 205, 10}, {53, 195, 10}};
+  const std::vector<ScreenPoint> points = {{3, 5, 10},    {403, 25, 10},  {103, 385, 10},
+                                           {203, 15, 10}, {253, 205, 10}, {53, 195, 10}};
   const Raster whole = rasterize(points, {{0, 1, 2}}, picture(450, 400));
   const Raster quarters = rasterize(points, {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}, picture(450, 400));
   for (std::size_t i = 0; i < whole.triangles.size(); ++i)
@@ -103,7 +103,8 @@ TEST(Rasterize, LeavesOutWhatIsBehindTheCameraOrNotANumber) {
 }
 
 TEST(Rasterize, CutsTrianglesAtThePicturesEdge) {
-  const Raster raster = rasterize({{-1000, -1000, 10}, {3000, -1000, 10}, {-1000, 3000, 10}}, {{0, 1, 2}}, picture(7, 5));
+  const Raster raster =
+      rasterize({{-1000, -1000, 10}, {3000, -1000, 10}, {-1000, 3000, 10}}, {{0, 1, 2}}, picture(7, 5));
   EXPECT_EQ(covered(raster), 35);
 }
 

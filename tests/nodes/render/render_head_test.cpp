@@ -83,7 +83,8 @@ TEST(RenderHead, ShowsABallRoundAndOfTheRightSize) {
       low_y = std::min(low_y, y);
       high_y = std::max(high_y, y);
     }
-  // A ball of radius r at distance d is seen under the angle asin(r / d): its outline has the radius f tan(asin(r / d)).
+  // A ball of radius r at distance d is seen under the angle asin(r / d): its outline has the radius f tan(asin(r /
+  // d)).
   const double focal_px = 200 / std::tan(15 * std::numbers::pi / 180);
   const double radius_px = focal_px * std::tan(std::asin(80.0 / 500));
   EXPECT_NEAR((high_x - low_x + 1) / 2.0, radius_px, 1);
@@ -228,10 +229,12 @@ TEST(RenderHead, RejectsWhatItCannotShow) {
   options = {};
   options.width_px = 0;
   EXPECT_THROW_TEXT(render_head(rig, {}, options), "the picture is 0 x 640 pixels, expected at least 1 x 1");
-  EXPECT_THROW_TEXT(render_head(rig, Weights{std::vector<float>(60)}), "there are 60 weights, but the rig has 52 shapes");
+  EXPECT_THROW_TEXT(render_head(rig, Weights{std::vector<float>(60)}),
+                    "there are 60 weights, but the rig has 52 shapes");
   Rig odd = rig;
   odd.neutral.colors_srgb.resize(3);
-  EXPECT_THROW_TEXT(render_head(odd, {}), message("the rig has 3 vertex colours, but ", rig.neutral.points_mm.size(), " vertices"));
+  EXPECT_THROW_TEXT(render_head(odd, {}),
+                    message("the rig has 3 vertex colours, but ", rig.neutral.points_mm.size(), " vertices"));
 }
 
 TEST(MouthLight, GrowsWithTheOpeningAndLeavesTheFaceAlone) {

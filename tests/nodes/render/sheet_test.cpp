@@ -14,7 +14,8 @@ namespace face::render {
 namespace {
 
 Image plain(int width, int height, std::uint8_t value, int channels = 3) {
-  return {width, height, channels, std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * channels), value)};
+  return {width, height, channels,
+          std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * channels), value)};
 }
 
 Timeline at_60_hz(std::size_t frames) {
@@ -99,8 +100,10 @@ TEST(MakeContactSheet, WritesTheCaptionUnderItsPicture) {
 TEST(MakeContactSheet, RejectsWhatDoesNotFitTogether) {
   EXPECT_THROW_TEXT(make_contact_sheet({}, {}, 2), "there are no pictures for the sheet");
   EXPECT_THROW_TEXT(make_contact_sheet({plain(3, 3, 0)}, {}, 0), "columns is 0, expected at least 1");
-  EXPECT_THROW_TEXT(make_contact_sheet({plain(3, 3, 0), plain(3, 4, 0)}, {}, 2), "picture 1 is 3 x 4, but picture 0 is 3 x 3");
-  EXPECT_THROW_TEXT(make_contact_sheet({plain(3, 3, 0)}, {Caption{}, Caption{}}, 2), "there are 2 captions for 1 pictures");
+  EXPECT_THROW_TEXT(make_contact_sheet({plain(3, 3, 0), plain(3, 4, 0)}, {}, 2),
+                    "picture 1 is 3 x 4, but picture 0 is 3 x 3");
+  EXPECT_THROW_TEXT(make_contact_sheet({plain(3, 3, 0)}, {Caption{}, Caption{}}, 2),
+                    "there are 2 captions for 1 pictures");
 }
 
 TEST(RenderSheet, RendersOnlyTheFramesItShows) {
@@ -128,7 +131,8 @@ TEST(RenderSheet, RendersOnlyTheFramesItShows) {
 TEST(RenderSheet, ShowsTheFirstFrameWhereNothingIsSaid) {
   RenderSheetOptions options;
   options.picture_px = 64;
-  const Image sheet = render_sheet(test::ball_rig(80), engine::Seq<Weights>({Weights{}}), at_60_hz(1), Phones{}, options);
+  const Image sheet =
+      render_sheet(test::ball_rig(80), engine::Seq<Weights>({Weights{}}), at_60_hz(1), Phones{}, options);
   EXPECT_EQ(sheet.width, 64 + 8);
   EXPECT_THROW_TEXT(render_sheet(test::ball_rig(80), {}, {}, Phones{}), "there are no frames for the sheet");
   EXPECT_THROW_TEXT(render_sheet(test::ball_rig(80), engine::Seq<Weights>({Weights{}}), at_60_hz(2), Phones{}),
@@ -138,9 +142,11 @@ TEST(RenderSheet, ShowsTheFirstFrameWhereNothingIsSaid) {
 TEST(DrawLandmarks, MarksTrackedPointsGreenAndLostOnesRed) {
   const Landmarks landmarks{{{"a", 10, 10, true}, {"b", 30, 10, false}, {"out", 500, 10, true}, {"edge", 0, 0, true}}};
   const Image image = draw_landmarks(plain(40, 20, 128), landmarks);
-  const auto at = [&](int x, int y, int c) { return int{image.pixels[static_cast<std::size_t>((y * 40 + x) * 3 + c)]}; };
+  const auto at = [&](int x, int y, int c) {
+    return int{image.pixels[static_cast<std::size_t>((y * 40 + x) * 3 + c)]};
+  };
   EXPECT_GT(at(10, 10, 1), at(10, 10, 0) + 100);
-  EXPECT_EQ(at(30, 10, 0), 128);                     // a ring: its middle shows the frame
+  EXPECT_EQ(at(30, 10, 0), 128);  // a ring: its middle shows the frame
   EXPECT_GT(at(32, 10, 0), at(32, 10, 1) + 40);
   EXPECT_EQ(at(20, 10, 0), 128);
   EXPECT_GT(at(0, 0, 1), at(0, 0, 0) + 100);
