@@ -241,6 +241,7 @@ void Session::expand() {
         binding.tree = output_tree(source);
         binding.excess = graph_node.input_depth[p] - graph_node.info->inputs[p].depth;
         inputs[p].push_back(binding);
+        if (graph_node.info->structural == Structural::first) break;
       }
     if (graph_node.info->structural == Structural::first) {
       outputs_[n] = {inputs[0].at(0).tree};

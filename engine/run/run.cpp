@@ -26,8 +26,10 @@ Graph reduced_to(const Graph& graph, int target) {
   for (std::size_t n = reduced.nodes.size(); n-- > 0;) {
     if (!reduced.nodes[n].needed) continue;
     for (const auto& port : reduced.nodes[n].inputs)
-      for (const Source& source : port)
+      for (const Source& source : port) {
         if (source.kind == Source::Kind::node) reduced.nodes[static_cast<std::size_t>(source.node)].needed = true;
+        if (reduced.nodes[n].info->structural == Structural::first) break;  // the alternatives behind it are not looked at
+      }
   }
   return reduced;
 }

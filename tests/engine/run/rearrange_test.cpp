@@ -62,4 +62,14 @@ TEST_F(Rearranging, FirstTakesThePresentAlternative) {
             "frame 1\nframe 2\nframe 3\nframe 4\nframe 5");
 }
 
+TEST_F(Rearranging, AlternativesBehindThePresentOneDoNotRun) {
+  write_frames(2);
+  const auto g = graph(R"("files": {"node": "files.list", "inputs": {"folder": "${folder}"}},
+"texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
+"loud": {"node": "toy.upper", "inputs": {"text": "texts"}},
+"chosen": {"node": "first", "inputs": {"alternatives": ["texts", "loud"]}},
+"all": {"node": "toy.join_texts", "inputs": {"texts": "chosen"}})", R"("all.txt": "all")");
+  EXPECT_EQ(run(g).tasks.run, 3u);
+}
+
 }  // namespace
