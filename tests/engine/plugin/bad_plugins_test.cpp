@@ -163,7 +163,7 @@ TEST_F(BadPlugins, ASymbolThatNoLibraryHasIsToldBeforeItIsCalled) {
 TEST_F(BadPlugins, ACrashIsToldWithItsSignalAndLastWords) {
   copy("crashing_initialiser");
   EXPECT_EQ(told(Plugins({bad().string()})), Lines{"plugin bad/crashing_initialiser.so cannot be used: its first load "
-                                                   "ended with signal 11 (Segmentation fault): "
+                                                   "ended with signal 6 (Aborted): "
                                                    "first line; second line"});
 }
 
