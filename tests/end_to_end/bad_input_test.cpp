@@ -30,21 +30,25 @@ class BadInput : public test::CommandTest {
     for (const std::string& set : sets) words = words + Words{"--set", set};
     return words;
   }
-  Ended listen(const std::string& audio) const { return command(talk({"audio=" + audio}) + Words{"--to", "recording"}); }
+  Ended listen(const std::string& audio) const {
+    return command(talk({"audio=" + audio}) + Words{"--to", "recording"});
+  }
   Ended read_script(const std::string& text) const { return command(talk({"text=" + text}) + Words{"--to", "script"}); }
   Ended take_rig(const std::string& rig) const {
     return command(talk({"text=good.txt", "rig=" + rig}) + Words{"--to", "given_rig"});
   }
   // A sentence spoken by flite, as a recording.
   void record(const std::string& text, const std::string& name) const {
-    const Ended ended = command({"get", graph("speech/talk.json"), "say.audio", "--set", "text=" + text, "-o", path("said.json")});
+    const Ended ended =
+        command({"get", graph("speech/talk.json"), "say.audio", "--set", "text=" + text, "-o", path("said.json")});
     ASSERT_EQ(ended.code, 0) << ended.output;
     write(name, wav_of(nlohmann::json::parse(read("said.json"))["samples"]));
   }
   // An OBJ rig of four vertices: one line with another z per shape.
   void write_rig(const std::string& rig, const Lines& shapes) const {
     write(rig + "/generic_neutral_mesh.obj", quad(0, 4));
-    for (std::size_t s = 0; s < shapes.size(); ++s) write(rig + "/" + shapes[s] + ".obj", quad(static_cast<double>(s + 1), 4));
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      write(rig + "/" + shapes[s] + ".obj", quad(static_cast<double>(s + 1), 4));
   }
   static std::string quad(double z, int vertices) {
     const Lines corners = {"0 0 ", "10 0 ", "10 10 ", "0 10 "};
@@ -54,7 +58,8 @@ class BadInput : public test::CommandTest {
   }
 };
 
-// --- recordings ---------------------------------------------------------------------------------------------------------
+// --- recordings
+// ---------------------------------------------------------------------------------------------------------
 
 TEST_F(BadInput, MissingRecordingIsToldBeforeAnythingRuns) {
   const Ended ended = command(talk({"audio=nope.wav", "text=good.txt"}) + Words{"--out", "out"});
@@ -74,8 +79,9 @@ TEST_F(BadInput, UnusableRecordingsSayWhatIsWrongOnce) {
       {"empty.wav", "empty.wav: is empty (0 bytes), expected a recording"},
       {"cut.wav", "cut.wav: is truncated: found 2956 bytes of samples from byte 44, its header promises 32000"},
       {"header.wav", "header.wav: holds no samples, expected a recording"},
-      {"text.wav", "text.wav: cannot be read: Invalid data found when processing input; expected a recording (WAV, AIFF, FLAC, "
-                   "Ogg, MP3, M4A, or a video file with sound)"}};
+      {"text.wav",
+       "text.wav: cannot be read: Invalid data found when processing input; expected a recording (WAV, AIFF, FLAC, "
+       "Ogg, MP3, M4A, or a video file with sound)"}};
   for (const auto& [name, text] : cases) {
     const Ended ended = listen(name);
     EXPECT_EQ(ended.code, 1) << name;
@@ -103,7 +109,8 @@ TEST_F(BadInput, SilentRecordingIsAWarning) {
   EXPECT_EQ(without.warnings(), Lines{"align: the audio is silent: no phone was recognised"});
 }
 
-// --- texts --------------------------------------------------------------------------------------------------------------
+// --- texts
+// --------------------------------------------------------------------------------------------------------------
 
 TEST_F(BadInput, TextsWithoutTextSayWhatIsWrongOnce) {
   write("empty.txt", "");
@@ -113,14 +120,16 @@ TEST_F(BadInput, TextsWithoutTextSayWhatIsWrongOnce) {
   EXPECT_EQ(read_script("blank.txt").failures(), Lines{"script (decode.text): blank.txt: is empty, expected a text"});
   const Ended ended = read_script("latin1.txt");
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.failures(), Lines{"script (decode.text): latin1.txt line 1: found byte 0xE9 at byte 3, expected UTF-8 text"});
+  EXPECT_EQ(ended.failures(),
+            Lines{"script (decode.text): latin1.txt line 1: found byte 0xE9 at byte 3, expected UTF-8 text"});
 }
 
 TEST_F(BadInput, PunctuationAloneCannotBeSaid) {
   write("marks.txt", "?! ... --");
   const Ended ended = command(talk({"text=marks.txt"}) + Words{"--to", "say"});
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.failures(), Lines{"say (speech.say): nothing to say: the text \"?! ... --\" has no letter and no digit"});
+  EXPECT_EQ(ended.failures(),
+            Lines{"say (speech.say): nothing to say: the text \"?! ... --\" has no letter and no digit"});
 }
 
 TEST_F(BadInput, WordsThatNoDictionaryHasAreReportedWithTheirPhones) {
@@ -140,7 +149,8 @@ TEST_F(BadInput, TextOfAnotherRecordingIsAWarningWithThePlace) {
   EXPECT_TRUE(ended.warnings()[0].starts_with("align: the text does not fit the sound from 0.")) << ended.output;
 }
 
-// --- rigs ---------------------------------------------------------------------------------------------------------------
+// --- rigs
+// ---------------------------------------------------------------------------------------------------------------
 
 const Lines needed = {"jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthRollLower", "mouthRollUpper"};
 
@@ -148,9 +158,10 @@ TEST_F(BadInput, RigWithoutTheShapesOfSpeechNamesThem) {
   write_rig("head", {"jawOpen", "mouthClose"});
   const Ended ended = take_rig("head");
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.failures(), Lines{"given_rig (decode.rig): head: lacks the shapes mouthFunnel, mouthPucker, mouthRollLower, "
-                                    "mouthRollUpper; a rig needs jawOpen, mouthClose, mouthFunnel, mouthPucker, "
-                                    "mouthRollLower, mouthRollUpper. Found jawOpen, mouthClose"});
+  EXPECT_EQ(ended.failures(),
+            Lines{"given_rig (decode.rig): head: lacks the shapes mouthFunnel, mouthPucker, mouthRollLower, "
+                  "mouthRollUpper; a rig needs jawOpen, mouthClose, mouthFunnel, mouthPucker, "
+                  "mouthRollLower, mouthRollUpper. Found jawOpen, mouthClose"});
 }
 
 TEST_F(BadInput, ShapeWithAnotherVertexCountIsNamedWithBothCounts) {
@@ -165,44 +176,55 @@ TEST_F(BadInput, ShapeWithAnotherVertexCountIsNamedWithBothCounts) {
 TEST_F(BadInput, WhatIsNoRigIsToldFromARig) {
   write("photos/me.jpg", "a picture");
   write("cut.glb", std::string("glTF\2\0\0\0\0\1\0\0JSON", 16));
-  EXPECT_EQ(take_rig("photos").failures(),
-            Lines{"given_rig (decode.rig): photos: is not a rig: found 1 files, of which 0 are GLB or glTF; expected an "
-                  "ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one glTF file with its buffers"});
-  EXPECT_EQ(take_rig("good.txt").failures(),
-            Lines{"given_rig (decode.rig): good.txt: is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an "
-                  "ICT-FaceKit folder, or a GLB or glTF file with morph targets"});
+  EXPECT_EQ(
+      take_rig("photos").failures(),
+      Lines{"given_rig (decode.rig): photos: is not a rig: found 1 files, of which 0 are GLB or glTF; expected an "
+            "ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one glTF file with its "
+            "buffers"});
+  EXPECT_EQ(
+      take_rig("good.txt").failures(),
+      Lines{"given_rig (decode.rig): good.txt: is not a rig: found neither \"glTF\" nor JSON at byte 0, expected an "
+            "ICT-FaceKit folder, or a GLB or glTF file with morph targets"});
   EXPECT_EQ(take_rig("cut.glb").failures(),
             Lines{"given_rig (decode.rig): cut.glb: is truncated: found 16 bytes, its header promises 256"});
 }
 
-// --- landmarks ----------------------------------------------------------------------------------------------------------
+// --- landmarks
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_F(BadInput, LandmarkOutsideTheImageIsNamed) {
   write("points.json", R"({"image_size": [360, 288], "points": {"nose": [150, 90], "chin": [400, 20]}})");
-  const Ended ended = command({"run", graph("video_to_mesh/track.json"), "--set", "video=good.wav", "--set", "points=points.json",
-                               "--to", "start"});
+  const Ended ended = command({"run", graph("video_to_mesh/track.json"), "--set", "video=good.wav", "--set",
+                               "points=points.json", "--to", "start"});
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.failures(), Lines{"start (decode.landmarks): points.json at /points/chin: found (400, 20), expected a point "
-                                    "inside the image of 360 x 288 pixels"});
+  EXPECT_EQ(ended.failures(),
+            Lines{"start (decode.landmarks): points.json at /points/chin: found (400, 20), expected a point "
+                  "inside the image of 360 x 288 pixels"});
 }
 
-// --- the command line and the graph -----------------------------------------------------------------------------------
+// --- the command line and the graph
+// -----------------------------------------------------------------------------------
 
 TEST_F(BadInput, MisspeltSettingsNameTheNearestOne) {
-  const Ended ended = command(talk({"txt=good.txt", "pictures.widht_px=64", "pictures.height_px=tall", "rate_hz=1000"}));
+  const Ended ended =
+      command(talk({"txt=good.txt", "pictures.widht_px=64", "pictures.height_px=tall", "rate_hz=1000"}));
   EXPECT_EQ(ended.code, 2);
   const std::string expected =
       "command line: --set txt: the graph has no parameter 'txt' (did you mean 'text'?)\n"
-      "command line: --set pictures.widht_px: the node 'pictures' has no parameter 'widht_px' (did you mean 'width_px'?)\n"
+      "command line: --set pictures.widht_px: the node 'pictures' has no parameter 'widht_px' (did you mean "
+      "'width_px'?)\n"
       "command line: --set pictures.height_px: found the string \"tall\", expected an integer from 16 to 4096 px\n"
-      "command line: --set rate_hz: found the number 1000, expected a number from 25 to 120 Hz (used at /nodes/speak/params/rate_hz)\n";
-  for (const std::string& line : test::lines_of(expected)) EXPECT_NE(ended.output.find(line + "\n"), std::string::npos) << ended.output;
+      "command line: --set rate_hz: found the number 1000, expected a number from 25 to 120 Hz (used at "
+      "/nodes/speak/params/rate_hz)\n";
+  for (const std::string& line : test::lines_of(expected))
+    EXPECT_NE(ended.output.find(line + "\n"), std::string::npos) << ended.output;
 }
 
 TEST_F(BadInput, GraphWithCommentsRunsAndWithTyposNamesTheirPlaces) {
   write("good.json", "{ // a comment\n \"extends\": \"" + graph("speech/talk.json") + "\" /* and another */ }");
   EXPECT_EQ(command({"validate", "good.json", "--set", "text=good.txt"}).code, 0);
-  write("typo.json", "{\"extends\": \"" + graph("speech/talk.json") + "\",\n \"nodes\": {\"say\": {\"params\": {\"voce\": \"kal\"}}}}");
+  write("typo.json", "{\"extends\": \"" + graph("speech/talk.json") +
+                         "\",\n \"nodes\": {\"say\": {\"params\": {\"voce\": \"kal\"}}}}");
   const Ended typo = command({"run", "typo.json", "--set", "text=good.txt"});
   EXPECT_EQ(typo.code, 2);
   EXPECT_EQ(typo.output,
@@ -213,9 +235,10 @@ TEST_F(BadInput, GraphWithCommentsRunsAndWithTyposNamesTheirPlaces) {
 TEST_F(BadInput, WrongWordsOnTheCommandLineAreInvalidArguments) {
   EXPECT_EQ(command({"rn", "x.json"}).output,
             "command line: there is no command 'rn' (did you mean 'run'?)\nRun with --help for more information.\n");
-  for (const Words& words : {Words{"rn"}, Words{}, Words{"run"}, Words{"run", "nope.json"}, Words{"run", "."},
-                             talk({"text=good.txt"}) + Words{"--ouut", "x"}, talk({"text=good.txt"}) + Words{"--to", "cvs"},
-                             talk({"text=good.txt"}) + Words{"--memory", "lots"}, talk({"text"}), talk({})})
+  for (const Words& words :
+       {Words{"rn"}, Words{}, Words{"run"}, Words{"run", "nope.json"}, Words{"run", "."},
+        talk({"text=good.txt"}) + Words{"--ouut", "x"}, talk({"text=good.txt"}) + Words{"--to", "cvs"},
+        talk({"text=good.txt"}) + Words{"--memory", "lots"}, talk({"text"}), talk({})})
     EXPECT_EQ(command(words).code, 2) << ::testing::PrintToString(words);
 }
 
@@ -225,7 +248,8 @@ TEST_F(BadInput, PluginFolderThatIsNotThereIsTold) {
   EXPECT_EQ(ended.output, "error: command line: --plugins nowhere: there is no such folder\n");
 }
 
-// --- disks ----------------------------------------------------------------------------------------------------------------
+// --- disks
+// ----------------------------------------------------------------------------------------------------------------
 
 TEST_F(BadInput, FoldersThatCannotBeWrittenAreToldBeforeAnythingRuns) {
   const Words job = talk({"text=good.txt"});
@@ -246,7 +270,8 @@ TEST_F(BadInput, FoldersThatCannotBeWrittenAreToldBeforeAnythingRuns) {
 TEST_F(BadInput, FileThatDoesNotFitIsNotPublishedInPart) {
   const Words job = talk({"text=good.txt"}) + Words{"--to", "gltf", "--quiet"};
   ASSERT_EQ(command(job).code, 0);
-  write("small.json", "{\"extends\": \"" + graph("speech/talk.json") + R"(", "outputs": {"talk.mp4": null, "talk.sheet.png": null}})");
+  write("small.json", "{\"extends\": \"" + graph("speech/talk.json") +
+                          R"(", "outputs": {"talk.mp4": null, "talk.sheet.png": null}})");
   const Words publish = {"run", "small.json", "--set", "text=good.txt", "--out", "out"};
   ASSERT_EQ(command(publish).code, 0);
   std::filesystem::remove_all(folder() / "out");
@@ -263,7 +288,8 @@ TEST_F(BadInput, FileThatDoesNotFitIsNotPublishedInPart) {
   EXPECT_EQ(command({"cache", "verify"}).code, 0);
 }
 
-// --- the end before the end ---------------------------------------------------------------------------------------------
+// --- the end before the end
+// ---------------------------------------------------------------------------------------------
 
 TEST_F(BadInput, InterruptedRunKeepsItsWorkAndPublishesNothing) {
   using Clock = std::chrono::steady_clock;
@@ -272,7 +298,8 @@ TEST_F(BadInput, InterruptedRunKeepsItsWorkAndPublishesNothing) {
   const auto rendered = [&] {
     std::size_t count = 0;
     for (const std::string& line : test::lines_of(read("events.ndjson")))
-      if (line.starts_with("{\"event\":\"finished\"") && line.find("\"node\":\"pictures\"") != std::string::npos) ++count;
+      if (line.starts_with("{\"event\":\"finished\"") && line.find("\"node\":\"pictures\"") != std::string::npos)
+        ++count;
     return count;
   };
   const auto patience = Clock::now() + std::chrono::seconds(60);
@@ -298,20 +325,32 @@ TEST_F(BadInput, InterruptedRunKeepsItsWorkAndPublishesNothing) {
 TEST_F(BadInput, BadTakeLeavesTheOthersWhole) {
   record("good.txt", "takes/good.wav");
   write("takes/bad.wav", "");
-  write("small.json", "{\"extends\": \"" + graph("speech/talk_many.json") + R"(", "outputs": {"talk.mp4": null, "talk.sheet.png": null}})");
+  write("small.json", "{\"extends\": \"" + graph("speech/talk_many.json") +
+                          R"(", "outputs": {"talk.mp4": null, "talk.sheet.png": null}})");
   const Ended ended = command({"run", "small.json", "--set", "folder=takes", "--out", "out"});
   EXPECT_EQ(ended.code, 1);
-  EXPECT_EQ(ended.failures(), Lines{"recording[bad] (decode.audio): bad.wav: is empty (0 bytes), expected a recording"});
+  EXPECT_EQ(ended.failures(),
+            Lines{"recording[bad] (decode.audio): bad.wav: is empty (0 bytes), expected a recording"});
   EXPECT_TRUE(exists("out/talk/good.csv"));
   EXPECT_TRUE(exists("out/talk/good.glb"));
   EXPECT_FALSE(exists("out/talk/bad.csv"));
+}
+
+TEST_F(BadInput, AlternativeThatIsNotTakenDoesNotRun) {
+  record("good.txt", "spoken.wav");
+  write("marks.txt", "?!");
+  const Ended ended = command(talk({"audio=spoken.wav", "text=marks.txt"}) + Words{"--to", "csv"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.failures(), Lines{});
+  EXPECT_EQ(ended.warnings(), Lines{"align: the text has no words: phones are recognised from the sound"});
 }
 
 TEST_F(BadInput, FolderWithoutTakesIsAWarning) {
   std::filesystem::create_directories(folder() / "takes");
   const Ended ended = command({"run", graph("speech/talk_many.json"), "--set", "folder=takes", "--out", "out"});
   EXPECT_EQ(ended.code, 0);
-  EXPECT_EQ(ended.warnings(), Lines{"nothing was published: the sequences that the outputs are made of have no elements"});
+  EXPECT_EQ(ended.warnings(),
+            Lines{"nothing was published: the sequences that the outputs are made of have no elements"});
 }
 
 }  // namespace

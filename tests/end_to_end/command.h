@@ -93,7 +93,8 @@ class CommandTest : public ::testing::Test {
   // Starts it in the folder; what it says goes to the file said.txt.
   pid_t start(const Words& words, std::string program = FACEGRAPH_COMMAND) const {
     Words all = {program};
-    if (program == FACEGRAPH_COMMAND && (words.empty() || words[0] != "--store")) all = all + Words{"--store", path("store")};
+    if (program == FACEGRAPH_COMMAND && (words.empty() || words[0] != "--store"))
+      all = all + Words{"--store", path("store")};
     all = all + words;
     std::vector<char*> arguments;
     for (std::string& word : all) arguments.push_back(word.data());
