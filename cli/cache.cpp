@@ -13,6 +13,23 @@ namespace {
 
 constexpr const char* units[] = {"B", "kB", "MB", "GB", "TB"};
 
+// "5%" -> 0.05
+double parse_share(const std::string& text) {
+  char* rest = nullptr;
+  const double number = std::strtod(text.c_str(), &rest);
+  if (rest == text.c_str() || std::string(rest) != "%" || !(number > 0 && number <= 100))
+    throw std::invalid_argument("command line: --sample " + text + ": expected a share above 0% and up to 100%, such as 5%");
+  return number / 100;
+}
+
+int audit(const engine::Graph& graph, engine::Plugins& plugins, engine::Store& store, const CacheArguments& arguments) {
+  const double share = parse_share(arguments.sample);
+  const engine::AuditResult result = engine::audit_graph(graph, plugins, store, share, arguments.seed, {});
+  for (const std::string& text : result.differing) std::printf("differs: %s\n", text.c_str());
+  std::printf("%zu of %zu stored tasks run again, %zu differ\n", result.checked, result.stored, result.differing.size());
+  return result.differing.empty() ? done : task_failed;
+}
+
 }  // namespace
 
 std::int64_t parse_size(const std::string& text) {
@@ -69,6 +86,7 @@ int cache(const Common& common, const CacheArguments& arguments) {
   const auto plugins = open_plugins(common);
   engine::Graph graph;
   if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
+  if (arguments.action == "audit") return audit(graph, *plugins, *store, arguments);
   const std::vector<engine::Digest> digests = engine::values_of(graph, *plugins, *store);
   store->pin(arguments.name, digests);
   std::printf("pinned %zu values as %s\n", digests.size(), arguments.name.c_str());

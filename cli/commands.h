@@ -19,6 +19,7 @@ struct RunArguments {
   bool fail_fast = false;
   bool quiet = false;
   std::string events;      // NDJSON here ("-" = standard output)
+  std::string trace;       // Chrome trace here
   std::string summary;     // JSON here
 };
 int run(const Common& common, const RunArguments& arguments);
@@ -61,11 +62,13 @@ int describe(const Common& common, const DescribeArguments& arguments);
 int schema(const Common& common);
 
 struct CacheArguments {
-  std::string action;      // stat, gc, pin, unpin, verify
+  std::string action;      // stat, gc, pin, unpin, verify, audit
   std::string max_size;    // "50GB"
   double max_age_days = 0;
   std::string name;        // pin, unpin
-  GraphArguments graph;    // pin
+  GraphArguments graph;    // pin, audit
+  std::string sample = "5%";  // audit
+  std::uint64_t seed = 1;     // audit
 };
 int cache(const Common& common, const CacheArguments& arguments);
 

@@ -15,12 +15,12 @@ const char* name_of(engine::RunEvent::Kind kind) {
   switch (kind) {
     case Kind::started: return "started";
     case Kind::finished: return "finished";
+    case Kind::made: return "made";
     case Kind::reused: return "reused";
     case Kind::failed: return "failed";
     case Kind::blocked: return "blocked";
     case Kind::warning: return "warning";
     case Kind::progress: return "progress";
-    case Kind::published: return "published";
   }
   return "";
 }
@@ -38,6 +38,8 @@ EventWriter::EventWriter(const std::string& path) {
     file_ = stdout;
   else if (!path.empty())
     file_ = open(path);
+  // Whoever follows the file, or reads it after a crash, sees whole lines.
+  if (file_) std::setvbuf(file_, nullptr, _IOLBF, BUFSIZ);
 }
 
 EventWriter::~EventWriter() {
@@ -50,7 +52,8 @@ void EventWriter::write(const engine::RunEvent& event) {
                                  {"type", event.type},           {"done", event.done},     {"known", event.known}};
   if (!event.element.empty()) json["element"] = event.element;
   if (!event.text.empty()) json["text"] = event.text;
-  if (event.kind == engine::RunEvent::Kind::finished) json["seconds"] = event.seconds;
+  if (event.worker > 0) json["worker"] = event.worker;
+  if (event.kind == engine::RunEvent::Kind::finished || event.kind == engine::RunEvent::Kind::made) json["seconds"] = event.seconds;
   if (event.kind == engine::RunEvent::Kind::progress) json["fraction"] = event.fraction;
   const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (std::fputs(text.c_str(), file_) < 0 && !failed_) {

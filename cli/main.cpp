@@ -47,6 +47,7 @@ int main(int count, char** words) {
   run_command->add_flag("--fail-fast", run.fail_fast, "Stop at the first failed task");
   run_command->add_flag("--quiet", run.quiet, "Print failures only");
   run_command->add_option("--events", run.events, "Write events as NDJSON to a file (- = standard output)")->type_name("FILE");
+  run_command->add_option("--trace", run.trace, "Write a trace to a file that Perfetto and chrome://tracing open")->type_name("FILE");
   run_command->add_option("--summary", run.summary, "Write counts and time as JSON to a file")->type_name("FILE");
 
   cli::PlanArguments plan;
@@ -96,6 +97,10 @@ int main(int count, char** words) {
   CLI::App* cache_unpin = cache_command->add_subcommand("unpin", "Let a pin go");
   cache_unpin->add_option("name", cache.name, "The pin")->required();
   CLI::App* cache_verify = cache_command->add_subcommand("verify", "Check every object against its digest");
+  CLI::App* cache_audit = cache_command->add_subcommand("audit", "Run a sample of a graph's stored tasks again and compare");
+  add_graph(cache_audit, cache.graph);
+  cache_audit->add_option("--sample", cache.sample, "How many of them, such as 5% (the default)")->type_name("PERCENT");
+  cache_audit->add_option("--seed", cache.seed, "Another seed, other tasks (default 1)");
 
   try {
     app.parse(count, words);
@@ -120,7 +125,7 @@ int main(int count, char** words) {
     if (*nodes_command) return cli::nodes(common, nodes);
     if (*describe_command) return cli::describe(common, describe);
     if (*schema_command) return cli::schema(common);
-    for (CLI::App* action : {cache_stat, cache_gc, cache_pin, cache_unpin, cache_verify})
+    for (CLI::App* action : {cache_stat, cache_gc, cache_pin, cache_unpin, cache_verify, cache_audit})
       if (*action) cache.action = action->get_name();
     return cli::cache(common, cache);
   } catch (const engine::PluginError& error) {

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/events.h"
 #include "cli/progress.h"
+#include "cli/trace.h"
 #include "engine/run/run.h"
 
 namespace cli {
@@ -38,6 +39,7 @@ int run(const Common& common, const RunArguments& arguments) {
 
   ProgressPrinter progress(arguments.quiet);
   EventWriter events(arguments.events);
+  TraceWriter trace(arguments.trace);
   engine::RunOptions options;
   options.threads = arguments.threads;
   if (!arguments.memory.empty()) options.memory_bytes = parse_size(arguments.memory);
@@ -56,10 +58,14 @@ int run(const Common& common, const RunArguments& arguments) {
   options.observer = [&](const engine::RunEvent& event) {
     if (event.kind == engine::RunEvent::Kind::failed) told.insert(event.text);
     events.write(event);
+    trace.write(event);
     progress.show(event);
   };
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
   progress.clear();
+  for (const engine::Digest& digest : store->take_damaged())
+    std::fprintf(stderr, "warning: the store's object %s was damaged: it was removed, and is made again where it is read\n",
+                 digest.brief().c_str());
   if (!arguments.summary.empty()) write_summary(arguments.summary, result);
   if (stop_signal != 0) {
     std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);

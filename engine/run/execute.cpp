@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers, values in memory, and the call of a node.
+// Values in memory, and the call of a node.
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -12,41 +12,40 @@
 
 namespace engine::run {
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
-namespace {
-
-// Thrown through a streaming node when nobody wants the rest of its sequence.
-struct PassDone {};
-// Thrown through a node when the run ends.
-struct Stopped {};
-
-}  // namespace
 
 // --- reading --------------------------------------------------------------------------------------------------------------
 
 // A sequence as a running task reads it. Its ids no longer change.
 class TreeAccess final : public SequenceAccess {
  public:
-  TreeAccess(Session& session, Tree* tree, const TypeInfo& type) : session_(session), tree_(tree), type_(type) {}
+  TreeAccess(Session& session, Tree* tree, const TypeInfo& type, std::shared_ptr<std::atomic<bool>> cut_short)
+      : session_(session), tree_(tree), type_(type), cut_short_(std::move(cut_short)) {}
   std::size_t size() const override { return tree_->sequence->children.size(); }
   std::string id(std::size_t index) const override { return tree_->sequence->ids.at(index); }
   std::shared_ptr<const void> load(std::size_t index) const override {
-    return session_.fetch(tree_->sequence->children.at(index), type_).data();
+    try {
+      return session_.fetch(tree_->sequence->children.at(index), type_).data();
+    } catch (const Stopped&) {
+      *cut_short_ = true;
+      throw;
+    }
   }
   std::shared_ptr<const SequenceAccess> inner(std::size_t index) const override {
-    return std::make_shared<TreeAccess>(session_, follow(tree_->sequence->children.at(index)), type_);
+    return std::make_shared<TreeAccess>(session_, follow(tree_->sequence->children.at(index)), type_, cut_short_);
   }
 
  private:
   Session& session_;
   Tree* tree_;
   const TypeInfo& type_;
+  std::shared_ptr<std::atomic<bool>> cut_short_;
 };
 
 class TaskCall final : public Call, public Progress {
  public:
   TaskCall(Session& session, Task& task, const NodeDeclaration& declaration)
-      : session_(session), task_(task), declaration_(declaration), params_(session.params_of(task)) {
+      : session_(session), task_(task), declaration_(declaration), params_(session.params_of(task)),
+        files_(session.source_paths(task)) {
     records_.resize(task.outputs.size());
     results_.resize(task.outputs.size());
     for (std::size_t o = 0; o < records_.size(); ++o) records_[o].sequence = declaration.info.outputs[o].depth > 0;
@@ -62,15 +61,21 @@ class TaskCall final : public Call, public Progress {
   }
   std::shared_ptr<const SequenceAccess> sequence(std::size_t input) override {
     Tree* tree = bound(input);
-    return tree ? std::make_shared<TreeAccess>(session_, tree, *declaration_.input_types[input]) : nullptr;
+    return tree ? std::make_shared<TreeAccess>(session_, tree, *declaration_.input_types[input], cut_short_) : nullptr;
   }
   WindowValues window(std::size_t input) override {
     const Binding& binding = task_.inputs[input].at(0);
-    const auto [begin, end] = span_of(binding, declaration_.info.inputs[input]);
     WindowValues values;
-    values.centre = binding.index - begin;
-    for (std::size_t i = begin; i < end; ++i)
-      values.values.push_back(session_.fetch(binding.tree->sequence->children[i], *declaration_.input_types[input]).data());
+    std::vector<Tree*> around;
+    {
+      // The sequence may still be growing.
+      const std::lock_guard guard(session_.mutex_);
+      const auto [begin, end] = span_of(binding, declaration_.info.inputs[input]);
+      values.centre = binding.index - begin;
+      const std::vector<Tree*>& children = binding.tree->sequence->children;
+      around.assign(children.begin() + static_cast<std::ptrdiff_t>(begin), children.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    for (Tree* tree : around) values.values.push_back(session_.fetch(tree, *declaration_.input_types[input]).data());
     return values;
   }
   std::vector<std::shared_ptr<const void>> prior() override {
@@ -85,8 +90,15 @@ class TaskCall final : public Call, public Progress {
     results_[output] = Value(*declaration_.output_types[output], std::move(value));
   }
   void push(std::size_t output, std::string id, std::shared_ptr<const void> value) override {
-    session_.accept_element(task_, output, std::move(id), Value(*declaration_.output_types[output], std::move(value)),
-                            records_[output]);
+    // What is handed on was read from files that had not changed. (Of many files: looked at when all is done.)
+    if (files_.size() <= most_files_per_push) session_.check_sources(files_);
+    try {
+      session_.accept_element(task_, output, std::move(id), Value(*declaration_.output_types[output], std::move(value)),
+                              records_[output]);
+    } catch (const Stopped&) {
+      *cut_short_ = true;
+      throw;
+    }
   }
   Progress& progress() override { return *this; }
 
@@ -95,7 +107,10 @@ class TaskCall final : public Call, public Progress {
     task_.progress = std::clamp(fraction, 0.0, 1.0);
     session_.emit(RunEvent::Kind::progress, task_);
   }
-  bool stop_requested() const override { return session_.stopped_; }
+  bool stop_requested() const override {
+    if (session_.stopped_) *cut_short_ = true;
+    return session_.stopped_;
+  }
   void warn(const std::string& text) override {
     const std::lock_guard guard(session_.mutex_);
     task_.warnings.push_back(text);
@@ -111,8 +126,12 @@ class TaskCall final : public Call, public Progress {
 
   std::vector<OutputRecord> records_;
   std::vector<Value> results_;
+  // The node was told of the run's end: what it returns may be half a result.
+  bool cut_short() const { return *cut_short_; }
+  const std::vector<std::string>& files() const { return files_; }
 
  private:
+  static constexpr std::size_t most_files_per_push = 16;
   Tree* bound(std::size_t input) const {
     return task_.inputs[input].empty() ? nullptr : task_.inputs[input][0].tree;
   }
@@ -120,6 +139,8 @@ class TaskCall final : public Call, public Progress {
   Task& task_;
   const NodeDeclaration& declaration_;
   const std::vector<ParamValue>& params_;
+  const std::vector<std::string> files_;  // the user's, which the task reads
+  const std::shared_ptr<std::atomic<bool>> cut_short_ = std::make_shared<std::atomic<bool>>(false);
   std::string scratch_;
 };
 
@@ -140,27 +161,16 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type) {
   }
   ++leaf->pins;
   produce(*leaf->producer);
+  drain();
   wait_blocked(guard, [&] { return static_cast<bool>(leaf->value) || leaf->producer->state == Task::State::failed; });
   --leaf->pins;
   if (!leaf->value) {
     if (stopped_) throw Stopped{};
-    throw EngineError("a value that it reads, of " + name_of(*leaf->producer) + ", could not be made again");
+    throw std::runtime_error("a value that it reads, of " + name_of(*leaf->producer) + ", could not be made again");
   }
   const Value value = leaf->value;
   drop_unused(leaf);
   return value;
-}
-
-// Waits without holding a worker's place: another thread takes it.
-void Session::wait_blocked(std::unique_lock<std::mutex>& guard, const std::function<bool()>& until) {
-  if (until()) return;
-  ++blocked_;
-  --active_;
-  if (alive_ - blocked_ < most_workers_ && !stopped_) start_worker();
-  changed_.notify_all();
-  while (!until() && !stopped_) changed_.wait_for(guard, 200ms);
-  ++active_;
-  --blocked_;
 }
 
 // --- values in memory -------------------------------------------------------------------------------------------------------
@@ -215,12 +225,16 @@ bool Session::available(Tree* leaf) {
 // Asks for the values that the task will read; when all are there it is ready.
 void Session::launch(Task& task) {
   task.missing = 1;  // not ready while asking
+  const Task* lost = nullptr;
   each_input_leaf(task, [&](Tree* leaf) {
     if (available(leaf)) return;
+    if (leaf->producer->state == Task::State::failed) lost = leaf->producer;
     leaf->requests.push_back(&task);
     ++task.missing;
     produce(*leaf->producer);
   });
+  if (lost && task.state == Task::State::wanted)
+    return fail_task(task, "a value that it reads, of " + name_of(*lost) + ", could not be made again");
   if (--task.missing == 0) enqueue(task);
 }
 
@@ -230,82 +244,6 @@ void Session::produce(Task& task) {
   task.state = Task::State::wanted;
   task.repeated = true;
   launch(task);
-}
-
-// --- scheduling -----------------------------------------------------------------------------------------------------------
-
-// Depth first: what is nearest to the outputs, then what was made first.
-bool Session::Later::operator()(const Task* a, const Task* b) const {
-  return a->node != b->node ? a->node < b->node : a->serial > b->serial;
-}
-
-void Session::enqueue(Task& task) {
-  task.state = Task::State::ready;
-  ready_.push(&task);
-  changed_.notify_all();
-}
-
-void Session::start_worker() {
-  ++alive_;
-  threads_.emplace_back([this] { worker(); });
-}
-
-void Session::join_workers() {
-  std::unique_lock guard(mutex_);
-  while (!threads_.empty()) {
-    std::vector<std::thread> threads = std::move(threads_);
-    threads_.clear();
-    guard.unlock();
-    for (std::thread& thread : threads) thread.join();
-    guard.lock();
-  }
-}
-
-void Session::worker() {
-  std::unique_lock guard(mutex_);
-  while (!stopped_) {
-    if (ready_.empty() || active_ >= most_workers_) {
-      if (idle()) break;
-      changed_.wait_for(guard, 200ms);
-      continue;
-    }
-    Task* task = ready_.top();
-    ready_.pop();
-    ++active_;
-    ++running_;
-    run_task(*task, guard);
-    --running_;
-    --active_;
-    changed_.notify_all();
-  }
-  --alive_;
-  changed_.notify_all();
-}
-
-void Session::work() {
-  std::unique_lock guard(mutex_);
-  for (int i = 0; i < most_workers_ && !idle(); ++i) start_worker();
-  while (!idle() && !stopped_ && !fatal_) {
-    changed_.wait_for(guard, 50ms);
-    if (options_.stop_requested && options_.stop_requested()) stopped_ = true;
-  }
-  if (fatal_) stopped_ = true;
-  changed_.notify_all();
-  // A node that does not look at its stop request would hold the process: whoever asked for the stop may leave at once.
-  const auto patience = std::chrono::steady_clock::now() + 700ms;
-  while (running_ > 0 && stopped_) {
-    if (changed_.wait_until(guard, patience) == std::cv_status::timeout && running_ > 0) {
-      if (options_.abandon && !fatal_) {
-        guard.unlock();
-        options_.abandon();
-        guard.lock();
-      }
-      break;
-    }
-  }
-  guard.unlock();
-  join_workers();
-  if (fatal_) std::rethrow_exception(fatal_);
 }
 
 // --- one task -------------------------------------------------------------------------------------------------------------
@@ -323,38 +261,16 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
     if (!info.cheap) {
       lock = store_.try_lock(task.key);
       if (!lock) {
-        // Another process computes it: look again later, after whatever else there is to do.
-        std::this_thread::sleep_for(2ms);
         guard.lock();
-        enqueue(task);
-        return;
+        return postpone(task);
       }
       if (!task.repeated)
-        if (auto others = store_.find_outputs(task.key)) {
+        if (auto others = store_.find_outputs(task.key); others && others->size() == task.outputs.size()) {
           records = std::move(*others);
           found = true;
         }
     }
-    if (!found) {
-      {
-        guard.lock();
-        emit(RunEvent::Kind::started, task);
-        guard.unlock();
-      }
-      records = call_node(task);
-      check_sources(task);
-      if (!task.repeated) {
-        TaskRecord record;
-        record.key = task.key;
-        record.outputs = records;
-        record.warnings = task.warnings;
-        record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        guard.lock();
-        record.parts = key_parts(task);
-        guard.unlock();
-        store_.publish(record);
-      }
-    }
+    if (!found) compute(task, records, begin);
   } catch (const PassDone&) {
     records.clear();
   } catch (const Stopped&) {
@@ -364,13 +280,11 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
     guard.lock();
     if (!fatal_) fatal_ = std::make_exception_ptr(EngineError(name_of(task) + " (" + info.name + "): " + error.what()));
     task.state = Task::State::failed;
-    changed_.notify_all();
     return;
   } catch (const PluginError&) {
     guard.lock();
     if (!fatal_) fatal_ = std::current_exception();
     task.state = Task::State::failed;
-    changed_.notify_all();
     return;
   } catch (const std::exception& error) {
     failure = error.what();
@@ -390,13 +304,34 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
     if (found) {
       ++counts_.reused;
       emit(RunEvent::Kind::reused, task);
-    } else if (!info.cheap) {
-      ++counts_.run;
-      emit(RunEvent::Kind::finished, task, {}, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    } else {
+      if (!info.cheap) ++counts_.run;
+      emit(info.cheap ? RunEvent::Kind::made : RunEvent::Kind::finished, task, {},
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     }
     finish_task(task, records);
   }
   drain();
+}
+
+// Runs the node and makes its record known to all.
+void Session::compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin) {
+  {
+    const std::lock_guard guard(mutex_);
+    emit(RunEvent::Kind::started, task);
+  }
+  records = call_node(task);
+  if (task.repeated) return;
+  TaskRecord record;
+  record.key = task.key;
+  record.outputs = records;
+  record.warnings = task.warnings;
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  {
+    const std::lock_guard guard(mutex_);
+    record.parts = key_parts(task);
+  }
+  store_.publish(record);
 }
 
 std::vector<OutputRecord> Session::call_node(Task& task) {
@@ -405,8 +340,13 @@ std::vector<OutputRecord> Session::call_node(Task& task) {
   TaskCall call(*this, task, declaration);
   // A function's own parallel loops must not pick up other work of this thread's arena.
   tbb::this_task_arena::isolate([&] { declaration.run(call); });
+  if (call.cut_short()) throw Stopped{};
+  check_sources(call.files());
   for (std::size_t o = 0; o < call.records_.size(); ++o) {
-    if (call.records_[o].sequence) continue;
+    if (call.records_[o].sequence) {
+      if (task.repeated) compare_length(task, o, call.records_[o]);
+      continue;
+    }
     Value value = call.results_[o];
     if (!value) throw std::logic_error("it gave no value for its output '" + declaration.info.outputs[o].name + "'");
     OutputRecord::Element element;
@@ -422,7 +362,8 @@ std::vector<OutputRecord> Session::call_node(Task& task) {
     Tree* leaf = task.outputs[o];
     if (task.repeated && !cheap && leaf->identity != element.identity)
       throw std::logic_error("run again, it gave another result than before: it is not deterministic (output '" +
-                             declaration.info.outputs[o].name + "')");
+                             declaration.info.outputs[o].name + "': " + leaf->identity.brief() + " before, " +
+                             element.identity.brief() + " now)");
     if (wanted(leaf)) hold_value(leaf, std::move(value));
     make_room(false);
   }
@@ -483,8 +424,17 @@ void Session::accept_element(Task& task, std::size_t output, std::string id, Val
     leaf->pins = 0;
     drop_unused(leaf);
   }
-  if (task.repeated && ordinal % 32 == 31 && !wanted_from(task, output, ordinal + 1)) throw PassDone{};
+  if (task.repeated && !task.audited && ordinal % 32 == 31 && !wanted_from(task, output, ordinal + 1)) throw PassDone{};
   throttle(guard);
+}
+
+// A pass that ended of itself has given as many elements as the first one.
+void Session::compare_length(const Task& task, std::size_t output, const OutputRecord& record) {
+  const std::lock_guard guard(mutex_);
+  const std::size_t before = task.outputs[output]->sequence->children.size();
+  if (record.elements.size() < before)
+    throw std::logic_error("run again, it gave " + std::to_string(record.elements.size()) + " elements, before " +
+                           std::to_string(before) + ": it is not deterministic");
 }
 
 bool Session::wanted_from(const Task& task, std::size_t output, std::size_t from) const {
@@ -500,16 +450,6 @@ bool Session::wanted_from(const Task& task, std::size_t output, std::size_t from
       if (wanted(tree->sequence->children[i])) return true;
   }
   return false;
-}
-
-// Back-pressure: while the budget is exceeded and something else goes on, the producer waits, and another worker takes its
-// place; when nothing else goes on, values that can be made again go, and the budget is exceeded rather than never reached.
-void Session::throttle(std::unique_lock<std::mutex>& guard) {
-  make_room(false);
-  if (used_ <= budget_) return;
-  wait_blocked(guard, [&] { return used_ <= budget_ || (running_ <= blocked_ && ready_.empty()); });
-  if (stopped_) throw Stopped{};
-  if (used_ > budget_) make_room(true);
 }
 
 void Session::finish_task(Task& task, const std::vector<OutputRecord>& records) {
@@ -560,17 +500,32 @@ void Session::fail_task(Task& task, const std::string& text) {
   if (options_.fail_fast) stopped_ = true;
 }
 
-// A file of the user's that changed while it was read would put a wrong result under a right key.
-void Session::check_sources(const Task& task) {
+// The user's files that a task reads: directly, in a window, or as a whole sequence of them.
+std::vector<std::string> Session::source_paths(const Task& task) {
+  const std::lock_guard guard(mutex_);
   std::vector<std::string> paths;
-  {
-    const std::lock_guard guard(mutex_);
-    for (const auto& port : task.inputs)
-      for (const Binding& binding : port)
-        if (binding.tree && binding.tree->source)
-          for (const auto& [path, tree] : sources_)
-            if (tree == binding.tree) paths = paths_of_source_[path];
-  }
+  const auto add = [&](auto& self, Tree* tree) -> void {
+    tree = follow(tree);
+    if (const auto known = opened_.find(tree); known != opened_.end())
+      paths.insert(paths.end(), known->second.files.begin(), known->second.files.end());
+    else if (tree->state == Tree::State::sequence)
+      for (Tree* child : tree->sequence->children) self(self, child);
+  };
+  for (std::size_t p = 0; p < task.inputs.size(); ++p)
+    for (const Binding& binding : task.inputs[p]) {
+      if (!binding.tree || node(task.node).info->inputs[p].type != "file") continue;
+      if (!binding.windowed) {
+        add(add, binding.tree);
+        continue;
+      }
+      const auto [begin, end] = span_of(binding, node(task.node).info->inputs[p]);
+      for (std::size_t i = begin; i < end; ++i) add(add, binding.tree->sequence->children[i]);
+    }
+  return paths;
+}
+
+// A file of the user's that changed while it was read would put a wrong result under a right key.
+void Session::check_sources(const std::vector<std::string>& paths) const {
   for (const std::string& path : paths)
     if (!store_.unchanged_since_digest(path))
       throw std::runtime_error("file " + path + " changed while it was read: run again");
@@ -586,6 +541,7 @@ void Session::emit(RunEvent::Kind kind, const Task& task, std::string text, doub
   event.node = node(task.node).id;
   event.type = node(task.node).info->name;
   event.element = task.element;
+  event.worker = task.worker;
   event.text = std::move(text);
   event.seconds = seconds;
   event.fraction = task.progress;

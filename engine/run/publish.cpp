@@ -118,7 +118,11 @@ class Publisher {
 void Session::publish_outputs(RunResult& result) {
   Publisher publisher(*this, store_, result);
   for (std::size_t i = 0; i < graph_.outputs.size(); ++i)
-    publisher.publish(output_roots_.at(i), fs::path(options_.out_folder) / graph_.outputs[i].name);
+    try {
+      publisher.publish(output_roots_.at(i), fs::path(options_.out_folder) / graph_.outputs[i].name);
+    } catch (const Stopped&) {
+      // The run was stopped at a failure, and the store has lost a value that would have to be made again.
+    }
 }
 
 }  // namespace engine::run

@@ -131,7 +131,8 @@ bool Rearrangement::keeps(std::size_t index, const std::string& id, bool& decide
     case Structural::every:
       return index >= number(1) && (index - number(1)) % number(0) == 0;
     case Structural::select:
-      return ElementFilter(std::get<std::vector<std::string>>(graph_node.params[0])).admits(id);
+      if (!chosen_) chosen_.emplace(std::get<std::vector<std::string>>(graph_node.params[0]));
+      return chosen_->admits(id);
     case Structural::where:
       return follow(inputs_[1][0]->sequence->children.at(index))->identity == identity_of_true();
     default:

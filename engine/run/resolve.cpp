@@ -109,8 +109,9 @@ void Session::resolve(Task& task) {
   };
   const NodeInfo& info = *node(task.node).info;
   for (std::size_t p = 0; p < task.inputs.size(); ++p)
-    for (const Binding& binding : task.inputs[p]) {
+    for (Binding& binding : task.inputs[p]) {
       if (!binding.tree) continue;
+      binding.tree = follow(binding.tree);  // a picked element is known only now
       if (!binding.windowed) {
         look(binding.tree);
         continue;
@@ -127,7 +128,7 @@ void Session::resolve(Task& task) {
   task.key = key_of(task);
   const bool streams = std::any_of(info.outputs.begin(), info.outputs.end(), [](const OutputInfo& o) { return o.depth > 0; });
   if (info.cheap && !streams) return install_cheap(task);
-  if (const auto outputs = store_.find_outputs(task.key)) {
+  if (const auto outputs = store_.find_outputs(task.key); outputs && outputs->size() == task.outputs.size()) {
     if (!info.cheap) {
       ++counts_.reused;
       emit(RunEvent::Kind::reused, task);
@@ -284,8 +285,7 @@ std::vector<KeyPart> Session::key_parts(const Task& task) {
   const NodeInfo& info = *node(task.node).info;
   std::vector<KeyPart> parts = own_parts(task);
   const auto origin = [&](Tree* tree) -> std::string {
-    for (const auto& [path, source] : sources_)
-      if (source == tree) return "file:" + path;
+    if (const auto source = opened_.find(tree); source != opened_.end()) return "file:" + source->second.path;
     if (tree->producer) {
       std::string text = name_of(*tree->producer);
       if (tree->container && tree->producer->outputs[tree->output] != tree) text += "#" + std::to_string(tree->ordinal);

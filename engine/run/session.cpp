@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace engine::run {
 namespace {
@@ -22,14 +23,51 @@ Session::Session(const Graph& graph, Plugins& plugins, Store& store, const RunOp
             : graph.run.memory_bytes > 0 ? graph.run.memory_bytes : half_of_memory();
 }
 
-Session::~Session() { join_workers(); }
+Session::~Session() {
+  stopped_ = true;
+  join_workers();
+}
 
-void Session::finish_run(RunResult& result) {
+std::size_t Session::choose_for_audit(double fraction, std::uint64_t seed) {
+  const std::lock_guard guard(mutex_);
+  // Each task is drawn by its own key: which others there are does not matter.
+  const auto drawn = [&](const Task& task) {
+    Bytes bytes;
+    ByteWriter writer(bytes);
+    writer.number(seed);
+    writer.raw(task.key.bytes.data(), task.key.bytes.size());
+    std::uint64_t number;
+    std::memcpy(&number, digest_of(bytes).bytes.data(), sizeof number);
+    return static_cast<double>(number >> 11) * 0x1.0p-53;
+  };
+  std::size_t stored = 0;
+  std::vector<Task*> chosen;
+  std::pair<double, Task*> first{2, nullptr};
+  for (Task& task : tasks_) {
+    if (node(task.node).info->cheap || task.state != Task::State::known) continue;
+    ++stored;
+    const double number = drawn(task);
+    if (number < first.first) first = {number, &task};
+    if (number < fraction) chosen.push_back(&task);
+  }
+  if (chosen.empty() && first.second) chosen.push_back(first.second);
+  for (Task* task : chosen) task->audited = true;
+  for (Task* task : chosen) produce(*task);
+  drain();
+  return stored;
+}
+
+void Session::count(RunResult& result) {
   const std::lock_guard guard(mutex_);
   result.tasks = counts_;
   result.failures = failures_;
   result.cancelled = stopped_ && failures_.empty();
   result.seconds = now();
+}
+
+void Session::finish_run(RunResult& result) {
+  count(result);
+  const std::lock_guard guard(mutex_);
   if (!filter_.empty()) return;
   // What stood behind every element, for explain.
   std::map<int, NodeHistory> histories;

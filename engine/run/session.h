@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -7,10 +8,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <queue>
 #include <set>
 #include <string>
 #include <thread>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/run/run.h"
@@ -21,6 +24,12 @@ namespace engine::run {
 
 class Session;
 class Level;
+
+// Thrown through a streaming node when nobody wants the rest of its sequence. Not a std::exception: nodes shall not
+// catch it.
+struct PassDone {};
+// Thrown through a node when the run ends.
+struct Stopped {};
 
 // What one port of a task, or of a level of mapping, is bound to.
 struct Binding {
@@ -48,6 +57,9 @@ struct Task final : Watcher {
   State state = State::waiting;
   bool repeated = false;         // its outputs are known; it runs to make values again
   bool released = false;         // its inputs are no longer in use
+  bool audited = false;          // it runs again to the end, to be compared
+  std::uint8_t refusals = 0;     // how often another process held its key
+  std::uint32_t worker = 0;      // the thread that runs or ran it, from 1
   std::uint32_t serial = 0;
   std::uint32_t waits = 0;       // unsettled inputs
   std::uint32_t missing = 0;     // values asked for
@@ -61,6 +73,18 @@ struct Task final : Watcher {
   std::vector<std::string> warnings;
 
   void update(Tree* changed) override;
+};
+
+// A set of element ids as people write it: "17-23", "40", "take03/5", "take03" (with all below it).
+class ElementFilter {
+ public:
+  explicit ElementFilter(const std::vector<std::string>& texts);
+  bool empty() const { return ranges_.empty(); }
+  // Could an element with this path, or one below it, be meant?
+  bool admits(const std::string& path) const;
+
+ private:
+  std::vector<Override::Range> ranges_;
 };
 
 // One level of mapping of a node: makes a task, or a further level, for every element as its inputs grow.
@@ -110,6 +134,7 @@ class Rearrangement final : public Watcher {
   Session& session_;
   int node_;
   std::vector<std::vector<Tree*>> inputs_;
+  std::optional<ElementFilter> chosen_;  // select
   Tree* output_;
   std::size_t next_ = 0, inner_ = 0;
   Tree* watched_ = nullptr;      // flatten: the inner sequence that it waits for
@@ -126,6 +151,7 @@ class Pick final : public Watcher {
   Session& session_;
   Tree* from_;
   std::vector<std::string> ids_;
+  std::size_t seen_ = 0;         // children that are not the one
   Tree* to_;
   std::string shown_;
   bool done_ = false;
@@ -136,18 +162,6 @@ struct Span {
   std::size_t begin, end;
 };
 Span span_of(const Binding& binding, const InputInfo& port);
-
-// A set of element ids as people write it: "17-23", "40", "take03/5", "take03" (with all below it).
-class ElementFilter {
- public:
-  explicit ElementFilter(const std::vector<std::string>& texts);
-  bool empty() const { return ranges_.empty(); }
-  // Could an element with this path, or one below it, be meant?
-  bool admits(const std::string& path) const;
-
- private:
-  std::vector<Override::Range> ranges_;
-};
 
 bool in_range(const std::string& id, const std::string& first, const std::string& last);
 
@@ -162,6 +176,8 @@ class Session {
   void expand();
   // Runs until nothing is left to do.
   void work();
+  // Has a sample of the tasks that the store has run again, to be compared; says how many.
+  std::size_t choose_for_audit(double fraction, std::uint64_t seed);
 
   Tree* output_tree(const Source& source);
   std::vector<Tree*> node_outputs(int node) const { return outputs_[static_cast<std::size_t>(node)]; }
@@ -174,9 +190,9 @@ class Session {
   std::string name_of(const Task& task) const;
   // The value of a leaf: from memory, the store, or made anew. May wait; call without the lock.
   Value fetch(Tree* leaf, const TypeInfo& type);
+  void count(RunResult& result);
   void finish_run(RunResult& result);   // counts, histories
   void note_failure(const std::string& text) { failures_.push_back(text); }
-  bool stopped() const { return stopped_; }
   std::mutex& lock() { return mutex_; }
   void publish_outputs(RunResult& result);
 
@@ -228,8 +244,11 @@ class Session {
   void worker();
   void start_worker();
   void join_workers();
-  bool idle() const { return ready_.empty() && running_ == 0; }
+  bool idle() const { return ready_.empty() && held_.empty() && running_ == 0; }
+  void postpone(Task& task);
+  void readmit();
   void run_task(Task& task, std::unique_lock<std::mutex>& guard);
+  void compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin);
   std::vector<OutputRecord> call_node(Task& task);
   void finish_task(Task& task, const std::vector<OutputRecord>& records);
   void fail_task(Task& task, const std::string& text);
@@ -239,10 +258,12 @@ class Session {
   void drop_value(Tree* leaf);
   void make_room(bool cheap_too);
   void accept_element(Task& task, std::size_t output, std::string id, Value value, OutputRecord& record);
+  void compare_length(const Task& task, std::size_t output, const OutputRecord& record);
   void throttle(std::unique_lock<std::mutex>& guard);
   bool wanted_from(const Task& task, std::size_t output, std::size_t from) const;
   void wait_blocked(std::unique_lock<std::mutex>& guard, const std::function<bool()>& until);
-  void check_sources(const Task& task);
+  std::vector<std::string> source_paths(const Task& task);
+  void check_sources(const std::vector<std::string>& paths) const;
   void emit(RunEvent::Kind kind, const Task& task, std::string text = {}, double seconds = 0);
   double now() const;
 
@@ -261,7 +282,11 @@ class Session {
   std::vector<std::vector<Tree*>> outputs_;  // per node, per output
   std::vector<Tree*> output_roots_;          // per output of the graph
   std::map<std::string, Tree*> sources_;
-  std::map<std::string, std::vector<std::string>> paths_of_source_;
+  struct OpenedSource {
+    std::string path;
+    std::vector<std::string> files;          // every one that was read
+  };
+  std::unordered_map<const Tree*, OpenedSource> opened_;
   std::map<int, Digest> prefixes_;
   std::deque<Task*> to_resolve_;
   bool draining_ = false;
@@ -270,14 +295,22 @@ class Session {
     bool operator()(const Task* a, const Task* b) const;  // true where a comes after b
   };
   std::priority_queue<Task*, std::vector<Task*>, Later> ready_;
+  struct Postponed {
+    std::chrono::steady_clock::time_point until;
+    Task* task;
+    bool operator<(const Postponed& other) const { return until > other.until; }
+  };
+  std::priority_queue<Postponed> held_;      // tasks whose key another process holds
   std::condition_variable changed_;          // something became ready, was delivered, or memory fell
+  std::condition_variable ended_;            // nothing is left to do, or something is wrong with the whole
   std::vector<std::thread> threads_;
+  std::uint32_t started_workers_ = 0;
   int alive_ = 0;                            // workers
   int active_ = 0;                           // of them, those at work and not blocked
   int running_ = 0;                          // tasks running, blocked ones included
   int blocked_ = 0;                          // threads waiting for a value or for memory
   int most_workers_ = 1;
-  bool stopped_ = false;
+  std::atomic<bool> stopped_ = false;        // written under the lock; running nodes look at it without
   std::int64_t budget_ = 0;
   std::int64_t used_ = 0;
   std::deque<Tree*> resident_;               // leaves that hold a value, oldest first

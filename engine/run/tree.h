@@ -51,10 +51,15 @@ struct Tree {
   struct Sequence {
     std::vector<std::string> ids;
     std::vector<Tree*> children;
-    std::unordered_map<std::string, std::size_t> positions;  // filled when first asked for
+    std::unordered_map<std::string, std::size_t> positions;  // as far as index() has brought them
     std::size_t unsettled = 0;
     std::size_t gathers = 0;       // tasks that read it as a whole and are not done
     bool complete = false;
+
+    // Brings `positions` up to date.
+    void index() {
+      for (std::size_t i = positions.size(); i < ids.size(); ++i) positions.emplace(ids[i], i);
+    }
   };
   std::unique_ptr<Sequence> sequence;
 
