@@ -125,6 +125,7 @@ void Session::fail_tree(Tree* tree) {
   if (tree->settled) return;
   if (tree->state == Tree::State::sequence) {
     tree->broken = true;
+    tree->sequence->cut_off = true;
     if (!tree->sequence->complete) complete(tree);
     return;
   }
@@ -381,7 +382,9 @@ void Level::update(Tree*) {
     for (Driver& driver : *drivers) {
       driver.tree = follow(driver.tree);
       if (driver.tree->state == Tree::State::pending) return;
-      if (driver.tree->state == Tree::State::failed) {
+      // An optional sequence that broke off is not one without elements.
+      const bool lost = drivers == &sparse_ && driver.tree->state == Tree::State::sequence && driver.tree->sequence->cut_off;
+      if (driver.tree->state == Tree::State::failed || lost) {
         done_ = true;
         for (Tree* output : outputs_) session_.fail_tree(output);
         ++session_.counts_.blocked;
@@ -433,7 +436,9 @@ void Level::add(std::size_t index) {
     held.index();
     const auto at = held.positions.find(id);
     if (at == held.positions.end()) {
-      inputs[driver.port][driver.source] = {};
+      Binding& binding = inputs[driver.port][driver.source];
+      binding = {};
+      if (driver.tree->unknown) binding.tree = driver.tree;  // in a plan: it may get the element
     } else {
       descend(driver, at->second);
     }
@@ -465,7 +470,7 @@ void Level::finish() {
   for (const Driver& driver : required_) {
     const Tree::Sequence& held = *driver.tree->sequence;
     // A sequence that broke off is as long as it is: what follows is lost already.
-    broken |= driver.tree->broken && held.ids.size() != lead.ids.size();
+    broken |= held.cut_off || (driver.tree->broken && held.ids.size() != lead.ids.size());
     if (held.ids.size() == lead.ids.size() || driver.tree->broken || required_[0].tree->broken) continue;
     const bool shorter = held.ids.size() < lead.ids.size();
     const std::string& odd = shorter ? lead.ids[held.ids.size()] : held.ids[lead.ids.size()];
@@ -482,7 +487,7 @@ void Level::finish() {
                           "' that input '" + graph_node.info->inputs[required_[0].port].name + "' has not");
   done_ = true;
   for (Tree* output : outputs_) {
-    if (broken) output->broken = true;
+    if (broken) output->broken = output->sequence->cut_off = true;
     for (const Driver& driver : required_)
       if (driver.tree->unknown && driver.tree->sequence->children.empty()) output->unknown = true;
     session_.complete(output);

@@ -185,6 +185,7 @@ void Rearrangement::pass_through() {
   if (!held.complete) return;
   done_ = true;
   if (from->broken) output_->broken = true;
+  if (from->sequence->cut_off) output_->sequence->cut_off = true;
   if (from->unknown) output_->unknown = true;
   session_.complete(output_);
 }
@@ -208,7 +209,7 @@ void Rearrangement::flatten() {
         return;
       }
     } else {
-      output_->broken = true;
+      output_->broken = output_->sequence->cut_off = true;
     }
     ++next_;
     inner_ = 0;
@@ -216,6 +217,7 @@ void Rearrangement::flatten() {
   if (!outer.complete) return;
   done_ = true;
   if (from->broken) output_->broken = true;
+  if (from->sequence->cut_off) output_->sequence->cut_off = true;
   if (from->unknown) output_->unknown = true;
   session_.complete(output_);
 }
@@ -230,6 +232,7 @@ void Rearrangement::merge() {
   for (Tree* tree : inputs_[0]) {
     if (!tree->settled) return;
     broken |= tree->broken;
+    if (tree->sequence->cut_off) output_->sequence->cut_off = true;
     unknown |= tree->unknown;
     for (std::size_t i = 0; i < tree->sequence->ids.size(); ++i)
       elements.push_back({tree->sequence->ids[i], tree->sequence->children[i]});

@@ -55,6 +55,7 @@ struct Tree {
     std::size_t unsettled = 0;
     std::size_t gathers = 0;       // tasks that read it as a whole and are not done
     bool complete = false;
+    bool cut_off = false;          // its producer failed: what would have followed is lost
 
     // Brings `positions` up to date.
     void index() {

@@ -345,6 +345,31 @@ TEST_F(BadInput, AlternativeThatIsNotTakenDoesNotRun) {
   EXPECT_EQ(ended.warnings(), Lines{"align: the text has no words: phones are recognised from the sound"});
 }
 
+TEST_F(BadInput, SequenceThatCouldNotBeMadeIsNotAnEmptyOne) {
+  write("frames/1.txt", "one");
+  write("bad.txt", "this is bad");
+  write("graph.json", R"({"facegraph": 1, "nodes": {
+    "files": {"node": "files.list", "inputs": {"folder": {"file": "frames"}}},
+    "text": {"node": "toy.read_text", "inputs": {"file": "files"}},
+    "size": {"node": "toy.length", "inputs": {"text": "text"}},
+    "bad": {"node": "toy.read_text", "inputs": {"file": {"file": "bad.txt"}}},
+    "checked": {"node": "toy.fail", "inputs": {"text": "bad"}},
+    "many": {"node": "toy.repeat", "inputs": {"text": "checked"}},
+    "sizes": {"node": "toy.length", "inputs": {"text": "many"}},
+    "total": {"node": "toy.sum_all", "inputs": {"numbers": "sizes"}},
+    "total_text": {"node": "toy.number_text", "inputs": {"number": "total"}},
+    "total_file": {"node": "toy.write_text", "inputs": {"text": "total_text"}},
+    "added": {"node": "toy.add", "inputs": {"a": "size", "b": "sizes"}},
+    "added_text": {"node": "toy.number_text", "inputs": {"number": "added"}},
+    "added_file": {"node": "toy.write_text", "inputs": {"text": "added_text"}}
+  }, "outputs": {"total.txt": "total_file", "added.txt": "added_file"}})");
+  const Ended ended = command({"run", "graph.json", "--out", "out"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.failures(), Lines{"checked (toy.fail): the text contains 'bad'"});
+  EXPECT_FALSE(exists("out/total.txt"));
+  EXPECT_FALSE(exists("out/added/1.txt"));
+}
+
 TEST_F(BadInput, FolderWithoutTakesIsAWarning) {
   std::filesystem::create_directories(folder() / "takes");
   const Ended ended = command({"run", graph("speech/talk_many.json"), "--set", "folder=takes", "--out", "out"});
