@@ -31,7 +31,8 @@ class SharedStore : public test::CommandTest {
     std::set<std::string> tasks;
     for (const std::string& line : test::lines_of(read(name))) {
       const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-      if (json.is_object() && json["event"] == event) tasks.insert(json["node"].get<std::string>() + "[" + json.value("element", "") + "]");
+      if (json.is_object() && json["event"] == event)
+        tasks.insert(json["node"].get<std::string>() + "[" + json.value("element", "") + "]");
     }
     return tasks;
   }
@@ -60,15 +61,19 @@ TEST_F(SharedStore, OutlivesProcessesThatAreKilled) {
     }
     const Words words = {"run", graph("toy/frames.json"), "--set", "folder=frames", "--quiet", "--threads", "2"};
     std::vector<pid_t> children;
-    for (int p = 0; p < processes; ++p)
-      children.push_back(start(words + Words{"--events", "events" + std::to_string(p) + ".ndjson"}));
+    for (int p = 0; p < processes; ++p) {
+      const std::string events = "events" + std::to_string(p) + ".ndjson";
+      std::filesystem::remove(path(events));  // of the round before: who is killed at once writes none
+      children.push_back(start(words + Words{"--events", events}));
+    }
     for (const pid_t child : children) {
       std::this_thread::sleep_for(std::chrono::milliseconds(random() % 16));
       ::kill(child, SIGKILL);
     }
     for (const pid_t child : children) killed_early += wait(child).code == 128 + SIGKILL;
     std::set<std::string> finished;
-    for (int p = 0; p < processes; ++p) finished.merge(tasks_told("events" + std::to_string(p) + ".ndjson", "finished"));
+    for (int p = 0; p < processes; ++p)
+      finished.merge(tasks_told("events" + std::to_string(p) + ".ndjson", "finished"));
     reported += finished.size();
 
     const test::Ended fresh = command(words + Words{"--events", "fresh.ndjson", "--out", "out"});
@@ -79,8 +84,8 @@ TEST_F(SharedStore, OutlivesProcessesThatAreKilled) {
   }
   EXPECT_GT(killed_early, static_cast<std::size_t>(rounds));
   EXPECT_GT(reported, static_cast<std::size_t>(rounds));
-  std::printf("%d rounds, %zu of %d processes killed at work, %zu tasks told finished, none lost\n", rounds, killed_early,
-              rounds * processes, reported);
+  std::printf("%d rounds, %zu of %d processes killed at work, %zu tasks told finished, none lost\n", rounds,
+              killed_early, rounds * processes, reported);
   EXPECT_EQ(command({"cache", "verify"}).code, 0);
 }
 
@@ -138,7 +143,8 @@ TEST_F(SharedStore, FindsAFlippedByteAndComputesAnew) {
       std::string bytes = test::read_file(entry.path());
       bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
       const auto time = std::filesystem::last_write_time(entry.path());
-      std::filesystem::permissions(entry.path(), std::filesystem::perms::owner_write, std::filesystem::perm_options::add);
+      std::filesystem::permissions(entry.path(), std::filesystem::perms::owner_write,
+                                   std::filesystem::perm_options::add);
       std::ofstream(entry.path(), std::ios::binary) << bytes;
       std::filesystem::last_write_time(entry.path(), time);
       ++flipped;
@@ -156,8 +162,8 @@ TEST_F(SharedStore, FindsAFlippedByteAndComputesAnew) {
 TEST_F(SharedStore, TellsARunAsEventsAndAsATrace) {
   write_frames(5);
   write("frames/3.txt", "forbidden");
-  const Words words = {"run", graph("toy/frames.json"), "--set", "folder=frames", "--quiet", "--events", "events.ndjson",
-                       "--trace", "trace.json"};
+  const Words words = {"run",      graph("toy/frames.json"), "--set",   "folder=frames", "--quiet",
+                       "--events", "events.ndjson",          "--trace", "trace.json"};
   EXPECT_EQ(command(words).code, 1);
   std::map<std::string, int> events;
   for (const std::string& line : test::lines_of(read("events.ndjson"))) {
