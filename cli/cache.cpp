@@ -18,7 +18,8 @@ double parse_share(const std::string& text) {
   char* rest = nullptr;
   const double number = std::strtod(text.c_str(), &rest);
   if (rest == text.c_str() || std::string(rest) != "%" || !(number > 0 && number <= 100))
-    throw std::invalid_argument("command line: --sample " + text + ": expected a share above 0% and up to 100%, such as 5%");
+    throw std::invalid_argument("command line: --sample " + text +
+                                ": expected a share above 0% and up to 100%, such as 5%");
   return number / 100;
 }
 
@@ -26,7 +27,8 @@ int audit(const engine::Graph& graph, engine::Plugins& plugins, engine::Store& s
   const double share = parse_share(arguments.sample);
   const engine::AuditResult result = engine::audit_graph(graph, plugins, store, share, arguments.seed, {});
   for (const std::string& text : result.differing) std::printf("differs: %s\n", text.c_str());
-  std::printf("%zu of %zu stored tasks run again, %zu differ\n", result.checked, result.stored, result.differing.size());
+  std::printf("%zu of %zu stored tasks run again, %zu differ\n", result.checked, result.stored,
+              result.differing.size());
   return result.differing.empty() ? done : task_failed;
 }
 
@@ -37,7 +39,8 @@ std::int64_t parse_size(const std::string& text) {
   const double number = std::strtod(text.c_str(), &rest);
   double factor = 1;
   for (const char* unit : units) {
-    if (rest != text.c_str() && number >= 0 && std::isfinite(number) && (std::string(rest) == unit || (*rest == '\0' && factor == 1)))
+    if (rest != text.c_str() && number >= 0 && std::isfinite(number) &&
+        (std::string(rest) == unit || (*rest == '\0' && factor == 1)))
       return static_cast<std::int64_t>(number * factor);
     factor *= 1000;
   }
@@ -68,7 +71,8 @@ int cache(const Common& common, const CacheArguments& arguments) {
   }
   if (arguments.action == "gc") {
     const std::string size = arguments.max_size.empty() ? "50GB" : arguments.max_size;
-    const engine::GcResult result = store->gc(static_cast<std::uint64_t>(parse_size(size)), arguments.max_age_days * 86400);
+    const engine::GcResult result =
+        store->gc(static_cast<std::uint64_t>(parse_size(size)), arguments.max_age_days * 86400);
     std::printf("removed %llu objects, %s; %s left\n", static_cast<unsigned long long>(result.removed_objects),
                 show_size(result.removed_bytes).c_str(), show_size(result.kept_bytes).c_str());
     return done;
@@ -76,7 +80,8 @@ int cache(const Common& common, const CacheArguments& arguments) {
   if (arguments.action == "verify") {
     const engine::VerifyResult result = store->verify();
     for (const engine::Digest& digest : result.damaged) std::printf("damaged, removed: %s\n", digest.hex().c_str());
-    std::printf("%llu objects checked, %zu damaged\n", static_cast<unsigned long long>(result.checked), result.damaged.size());
+    std::printf("%llu objects checked, %zu damaged\n", static_cast<unsigned long long>(result.checked),
+                result.damaged.size());
     return result.damaged.empty() ? done : task_failed;
   }
   if (arguments.action == "unpin") {

@@ -15,25 +15,25 @@ struct RunArguments {
   std::string to;
   std::vector<std::string> elements;
   int threads = 0;
-  std::string memory;      // "500MB"
+  std::string memory;  // "500MB"
   bool fail_fast = false;
   bool quiet = false;
-  std::string events;      // NDJSON here ("-" = standard output)
-  std::string trace;       // Chrome trace here
-  std::string summary;     // JSON here
+  std::string events;   // NDJSON here ("-" = standard output)
+  std::string trace;    // Chrome trace here
+  std::string summary;  // JSON here
 };
 int run(const Common& common, const RunArguments& arguments);
 
 struct PlanArguments {
   GraphArguments graph;
-  bool all = false;        // list cached tasks too
+  bool all = false;  // list cached tasks too
   bool json = false;
 };
 int plan(const Common& common, const PlanArguments& arguments);
 
 struct ExplainArguments {
   GraphArguments graph;
-  std::string task;        // "node" or "node[17]"
+  std::string task;  // "node" or "node[17]"
   bool json = false;
 };
 int explain(const Common& common, const ExplainArguments& arguments);
@@ -41,7 +41,7 @@ int explain(const Common& common, const ExplainArguments& arguments);
 struct GetArguments {
   GraphArguments graph;
   std::string reference;
-  std::string out;         // file; empty = JSON on standard output
+  std::string out;  // file; empty = JSON on standard output
 };
 int get(const Common& common, const GetArguments& arguments);
 
@@ -54,7 +54,7 @@ struct NodesArguments {
 int nodes(const Common& common, const NodesArguments& arguments);
 
 struct DescribeArguments {
-  std::string name;        // of a node or a value type
+  std::string name;  // of a node or a value type
   bool json = false;
 };
 int describe(const Common& common, const DescribeArguments& arguments);
@@ -62,11 +62,11 @@ int describe(const Common& common, const DescribeArguments& arguments);
 int schema(const Common& common);
 
 struct CacheArguments {
-  std::string action;      // stat, gc, pin, unpin, verify, audit
-  std::string max_size;    // "50GB"
+  std::string action;    // stat, gc, pin, unpin, verify, audit
+  std::string max_size;  // "50GB"
   double max_age_days = 0;
-  std::string name;        // pin, unpin
-  GraphArguments graph;    // pin, audit
+  std::string name;           // pin, unpin
+  GraphArguments graph;       // pin, audit
   std::string sample = "5%";  // audit
   std::uint64_t seed = 1;     // audit
 };

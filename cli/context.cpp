@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
   std::vector<std::string> folders = common.plugin_folders;
   for (const std::string& folder : folders)
-    if (!fs::is_directory(folder)) throw std::invalid_argument("command line: --plugins " + folder + ": there is no such folder");
+    if (!fs::is_directory(folder))
+      throw std::invalid_argument("command line: --plugins " + folder + ": there is no such folder");
   if (const char* set = std::getenv("FACEGRAPH_PLUGINS"))
     for (std::string rest = set; !rest.empty();) {
       const std::size_t colon = std::min(rest.find(':'), rest.size());
@@ -65,7 +66,8 @@ bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins,
   engine::GraphReading reading = engine::read_graph(arguments.path, settings, fs::current_path().string(), context);
   for (const engine::Problem& problem : reading.problems) std::fprintf(stderr, "%s\n", problem.line().c_str());
   if (!reading.problems.empty()) {
-    std::fprintf(stderr, "%zu problem%s; nothing was run\n", reading.problems.size(), reading.problems.size() == 1 ? "" : "s");
+    std::fprintf(stderr, "%zu problem%s; nothing was run\n", reading.problems.size(),
+                 reading.problems.size() == 1 ? "" : "s");
     return false;
   }
   graph = std::move(reading.graph);

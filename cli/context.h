@@ -21,7 +21,7 @@ struct Common {
 
 struct GraphArguments {
   std::string path;
-  std::vector<std::string> sets;            // NAME=VALUE
+  std::vector<std::string> sets;  // NAME=VALUE
 };
 
 std::unique_ptr<engine::Plugins> open_plugins(const Common& common);

@@ -13,14 +13,22 @@ namespace {
 const char* name_of(engine::RunEvent::Kind kind) {
   using Kind = engine::RunEvent::Kind;
   switch (kind) {
-    case Kind::started: return "started";
-    case Kind::finished: return "finished";
-    case Kind::made: return "made";
-    case Kind::reused: return "reused";
-    case Kind::failed: return "failed";
-    case Kind::blocked: return "blocked";
-    case Kind::warning: return "warning";
-    case Kind::progress: return "progress";
+    case Kind::started:
+      return "started";
+    case Kind::finished:
+      return "finished";
+    case Kind::made:
+      return "made";
+    case Kind::reused:
+      return "reused";
+    case Kind::failed:
+      return "failed";
+    case Kind::blocked:
+      return "blocked";
+    case Kind::warning:
+      return "warning";
+    case Kind::progress:
+      return "progress";
   }
   return "";
 }
@@ -53,7 +61,8 @@ void EventWriter::write(const engine::RunEvent& event) {
   if (!event.element.empty()) json["element"] = event.element;
   if (!event.text.empty()) json["text"] = event.text;
   if (event.worker > 0) json["worker"] = event.worker;
-  if (event.kind == engine::RunEvent::Kind::finished || event.kind == engine::RunEvent::Kind::made) json["seconds"] = event.seconds;
+  if (event.kind == engine::RunEvent::Kind::finished || event.kind == engine::RunEvent::Kind::made)
+    json["seconds"] = event.seconds;
   if (event.kind == engine::RunEvent::Kind::progress) json["fraction"] = event.fraction;
   const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (std::fputs(text.c_str(), file_) < 0 && !failed_) {
@@ -81,7 +90,8 @@ void write_summary(const std::string& path, const engine::RunResult& result) {
   std::FILE* file = open(path);
   const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   const bool written = std::fputs(text.c_str(), file) >= 0;
-  if (std::fclose(file) != 0 || !written) throw engine::EngineError("cannot write " + path + ": " + std::strerror(errno));
+  if (std::fclose(file) != 0 || !written)
+    throw engine::EngineError("cannot write " + path + ": " + std::strerror(errno));
 }
 
 }  // namespace cli

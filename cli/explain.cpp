@@ -32,9 +32,9 @@ int explain(const Common& common, const ExplainArguments& arguments) {
     nlohmann::ordered_json causes = nlohmann::ordered_json::array();
     if (!arguments.json)
       std::printf("%s: %s\n", explanation.task.c_str(),
-                  explanation.causes.empty()                                   ? "nothing changed since it last ran"
+                  explanation.causes.empty()                              ? "nothing changed since it last ran"
                   : explanation.fate == engine::PlannedTask::Fate::cached ? "changed, but the result is in the store"
-                                                                              : "runs again");
+                                                                          : "runs again");
     for (const engine::Cause& cause : explanation.causes) {
       causes.push_back({{"task", cause.task}, {"what", cause.what}, {"path", cause.path}, {"others", cause.others}});
       if (arguments.json) continue;
@@ -42,12 +42,15 @@ int explain(const Common& common, const ExplainArguments& arguments) {
       if (cause.others > 0) std::printf("    and of %zu more of its elements\n", cause.others);
       if (cause.path.size() > 1) {
         std::printf("    by way of");
-        for (std::size_t i = 0; i < cause.path.size(); ++i) std::printf("%s %s", i == 0 ? "" : " ->", cause.path[i].c_str());
+        for (std::size_t i = 0; i < cause.path.size(); ++i)
+          std::printf("%s %s", i == 0 ? "" : " ->", cause.path[i].c_str());
         std::printf("\n");
       }
     }
-    list.push_back({{"task", explanation.task}, {"cached", explanation.fate == engine::PlannedTask::Fate::cached},
-                    {"seen_before", explanation.seen_before}, {"causes", causes}});
+    list.push_back({{"task", explanation.task},
+                    {"cached", explanation.fate == engine::PlannedTask::Fate::cached},
+                    {"seen_before", explanation.seen_before},
+                    {"causes", causes}});
   }
   if (arguments.json)
     std::printf("%s\n", list.dump(2).c_str());

@@ -22,7 +22,8 @@ int get(const Common& common, const GetArguments& arguments) {
     std::printf("%s\n", got.value.type().show(got.value.data().get()).c_str());
     return done;
   }
-  const std::string bytes = engine::view_value(got.value, std::filesystem::path(arguments.out).extension().string(), *plugins);
+  const std::string bytes =
+      engine::view_value(got.value, std::filesystem::path(arguments.out).extension().string(), *plugins);
   std::FILE* file = std::fopen(arguments.out.c_str(), "wbe");
   const bool written = file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   if (!file || std::fclose(file) != 0 || !written) {

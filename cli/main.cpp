@@ -32,8 +32,11 @@ int main(int count, char** words) {
   app.require_subcommand(1);
   app.option_defaults()->always_capture_default(false);
   cli::Common common;
-  app.add_option("--plugins", common.plugin_folders, "Further folders of plugins")->type_name("FOLDER")->allow_extra_args(false);
-  app.add_option("--store", common.store, "Where results are kept (default: FACEGRAPH_STORE, else the user's cache)")->type_name("FOLDER");
+  app.add_option("--plugins", common.plugin_folders, "Further folders of plugins")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false);
+  app.add_option("--store", common.store, "Where results are kept (default: FACEGRAPH_STORE, else the user's cache)")
+      ->type_name("FOLDER");
   app.fallthrough();
 
   cli::RunArguments run;
@@ -41,13 +44,18 @@ int main(int count, char** words) {
   add_graph(run_command, run.graph);
   run_command->add_option("--out", run.out, "Folder for the outputs")->type_name("FOLDER");
   run_command->add_option("--to", run.to, "Run only what this node needs, and publish nothing")->type_name("NODE");
-  run_command->add_option("--elements", run.elements, "With --to: only these elements, such as 0-49")->delimiter(',')->type_name("IDS");
-  run_command->add_option("--threads", run.threads, "Tasks at once (default: as many as cores)")->check(CLI::Range(1, 1024));
+  run_command->add_option("--elements", run.elements, "With --to: only these elements, such as 0-49")
+      ->delimiter(',')
+      ->type_name("IDS");
+  run_command->add_option("--threads", run.threads, "Tasks at once (default: as many as cores)")
+      ->check(CLI::Range(1, 1024));
   run_command->add_option("--memory", run.memory, "Budget for values in memory, such as 500MB")->type_name("SIZE");
   run_command->add_flag("--fail-fast", run.fail_fast, "Stop at the first failed task");
   run_command->add_flag("--quiet", run.quiet, "Print failures only");
-  run_command->add_option("--events", run.events, "Write events as NDJSON to a file (- = standard output)")->type_name("FILE");
-  run_command->add_option("--trace", run.trace, "Write a trace to a file that Perfetto and chrome://tracing open")->type_name("FILE");
+  run_command->add_option("--events", run.events, "Write events as NDJSON to a file (- = standard output)")
+      ->type_name("FILE");
+  run_command->add_option("--trace", run.trace, "Write a trace to a file that Perfetto and chrome://tracing open")
+      ->type_name("FILE");
   run_command->add_option("--summary", run.summary, "Write counts and time as JSON to a file")->type_name("FILE");
 
   cli::PlanArguments plan;
@@ -66,7 +74,8 @@ int main(int count, char** words) {
   CLI::App* get_command = app.add_subcommand("get", "Look at one value inside a graph");
   add_graph(get_command, get.graph);
   get_command->add_option("value", get.reference, "NODE.OUTPUT[ID]")->required();
-  get_command->add_option("-o,--output", get.out, "File to write, such as x.png (default: JSON on standard output)")->type_name("FILE");
+  get_command->add_option("-o,--output", get.out, "File to write, such as x.png (default: JSON on standard output)")
+      ->type_name("FILE");
 
   cli::GraphArguments validate;
   CLI::App* validate_command = app.add_subcommand("validate", "Check a graph and run nothing");
@@ -97,7 +106,8 @@ int main(int count, char** words) {
   CLI::App* cache_unpin = cache_command->add_subcommand("unpin", "Let a pin go");
   cache_unpin->add_option("name", cache.name, "The pin")->required();
   CLI::App* cache_verify = cache_command->add_subcommand("verify", "Check every object against its digest");
-  CLI::App* cache_audit = cache_command->add_subcommand("audit", "Run a sample of a graph's stored tasks again and compare");
+  CLI::App* cache_audit =
+      cache_command->add_subcommand("audit", "Run a sample of a graph's stored tasks again and compare");
   add_graph(cache_audit, cache.graph);
   cache_audit->add_option("--sample", cache.sample, "How many of them, such as 5% (the default)")->type_name("PERCENT");
   cache_audit->add_option("--seed", cache.seed, "Another seed, other tasks (default 1)");
@@ -106,12 +116,14 @@ int main(int count, char** words) {
     app.parse(count, words);
   } catch (const CLI::RequiredError& error) {
     const std::vector<std::string> rest = app.remaining();
-    const auto word = std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
+    const auto word =
+        std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
     if (word == rest.end() || !app.get_subcommands().empty()) return app.exit(error) == 0 ? cli::done : cli::invalid;
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
-    std::fprintf(stderr, "command line: there is no command '%s'%s\nRun with --help for more information.\n", word->c_str(),
-                 engine::did_you_mean(*word, names).c_str());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(command->get_name());
+    std::fprintf(stderr, "command line: there is no command '%s'%s\nRun with --help for more information.\n",
+                 word->c_str(), engine::did_you_mean(*word, names).c_str());
     return cli::invalid;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? cli::done : cli::invalid;

@@ -11,10 +11,14 @@ namespace {
 const char* word(engine::PlannedTask::Fate fate) {
   using Fate = engine::PlannedTask::Fate;
   switch (fate) {
-    case Fate::cached: return "cached";
-    case Fate::runs: return "will run";
-    case Fate::may_run: return "may run";
-    case Fate::unknown_length: return "length unknown";
+    case Fate::cached:
+      return "cached";
+    case Fate::runs:
+      return "will run";
+    case Fate::may_run:
+      return "may run";
+    case Fate::unknown_length:
+      return "length unknown";
   }
   return "";
 }
@@ -41,7 +45,12 @@ int plan(const Common& common, const PlanArguments& arguments) {
     std::printf("%-14s %s  %s%s\n", word(task.fate), name.c_str(), task.type.c_str(), note.c_str());
   }
   if (arguments.json)
-    std::printf("%s\n", nlohmann::ordered_json{{"tasks", list}, {"cached", planned.cached}, {"will_run", planned.runs}, {"may_run", planned.may_run}}.dump(2).c_str());
+    std::printf(
+        "%s\n",
+        nlohmann::ordered_json{
+            {"tasks", list}, {"cached", planned.cached}, {"will_run", planned.runs}, {"may_run", planned.may_run}}
+            .dump(2)
+            .c_str());
   else
     std::printf("%zu cached, %zu will run, %zu may run\n", planned.cached, planned.runs, planned.may_run);
   return done;

@@ -8,8 +8,8 @@
 namespace cli {
 namespace {
 
-constexpr double redraw_s = 0.1;   // a terminal
-constexpr double report_s = 5.0;   // a log
+constexpr double redraw_s = 0.1;  // a terminal
+constexpr double report_s = 5.0;  // a log
 
 std::string task_name(const engine::RunEvent& event) {
   return event.element.empty() ? event.node : event.node + "[" + event.element + "]";
@@ -60,7 +60,8 @@ void ProgressPrinter::bar(const engine::RunEvent& event) {
   const int full = static_cast<int>(share * width);
   std::string text(static_cast<std::size_t>(full), '#');
   text.resize(width, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %zu/%zu  %s  %s", text.c_str(), event.done, event.known, task_name(event).c_str(), left.c_str());
+  std::fprintf(stderr, "\r\033[K[%s] %zu/%zu  %s  %s", text.c_str(), event.done, event.known, task_name(event).c_str(),
+               left.c_str());
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -64,7 +64,8 @@ int run(const Common& common, const RunArguments& arguments) {
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
   progress.clear();
   for (const engine::Digest& digest : store->take_damaged())
-    std::fprintf(stderr, "warning: the store's object %s was damaged: it was removed, and is made again where it is read\n",
+    std::fprintf(stderr,
+                 "warning: the store's object %s was damaged: it was removed, and is made again where it is read\n",
                  digest.brief().c_str());
   if (!arguments.summary.empty()) write_summary(arguments.summary, result);
   if (stop_signal != 0) {
@@ -75,11 +76,12 @@ int run(const Common& common, const RunArguments& arguments) {
     if (!told.contains(failure)) std::fprintf(stderr, "failed: %s\n", failure.c_str());
   const bool failed = result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty();
   if (!arguments.quiet || failed)
-    std::fprintf(stderr, "%zu run, %zu reused, %zu failed, %zu blocked in %.2f s\n", result.tasks.run, result.tasks.reused,
-                 result.tasks.failed, result.tasks.blocked, result.seconds);
+    std::fprintf(stderr, "%zu run, %zu reused, %zu failed, %zu blocked in %.2f s\n", result.tasks.run,
+                 result.tasks.reused, result.tasks.failed, result.tasks.blocked, result.seconds);
   if (!failed && arguments.to.empty()) {
     if (!arguments.out.empty() && result.published.empty())
-      std::fprintf(stderr, "warning: nothing was published: the sequences that the outputs are made of have no elements\n");
+      std::fprintf(stderr,
+                   "warning: nothing was published: the sequences that the outputs are made of have no elements\n");
     if (arguments.out.empty() && !arguments.quiet)
       std::fprintf(stderr, "nothing was published: say where with --out FOLDER\n");
   }

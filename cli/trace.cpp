@@ -38,8 +38,9 @@ TraceWriter::~TraceWriter() {
 void TraceWriter::name_track(std::uint32_t worker) {
   if (!tracks_.insert(worker).second) return;
   const std::string name = worker == 0 ? "found in the store" : "worker " + std::to_string(worker);
-  std::fprintf(file_, "%s%s", first_ ? "" : ",\n",
-               text_of({{"name", "thread_name"}, {"ph", "M"}, {"pid", 1}, {"tid", worker}, {"args", {{"name", name}}}}).c_str());
+  std::fprintf(
+      file_, "%s%s", first_ ? "" : ",\n",
+      text_of({{"name", "thread_name"}, {"ph", "M"}, {"pid", 1}, {"tid", worker}, {"args", {{"name", name}}}}).c_str());
   first_ = false;
 }
 

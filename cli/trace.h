@@ -10,8 +10,8 @@
 
 namespace cli {
 
-// Writes a run in the trace format of Chrome, which Perfetto opens: a track for every worker, on it a slice for every task
-// (docs/events.md). The file is complete when the object goes; one that a killed process left opens as well.
+// Writes a run in the trace format of Chrome, which Perfetto opens: a track for every worker, on it a slice for every
+// task (docs/events.md). The file is complete when the object goes; one that a killed process left opens as well.
 class TraceWriter {
  public:
   explicit TraceWriter(const std::string& path);  // empty = nowhere

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an algorithm may include of the engine: sequences, windows, priors, files and progress. Standard library only, and
-// nothing to link: every class here can be made by hand in a test.
+// What an algorithm may include of the engine: sequences, windows, priors, files and progress. Standard library only,
+// and nothing to link: every class here can be made by hand in a test.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +26,9 @@ class SeqSource {
   virtual std::shared_ptr<const T> load(std::size_t index) const = 0;
 };
 
-// An ordered sequence whose elements have stable ids. Elements are loaded when they are read and dropped afterwards, so a
-// loop over 18,000 images holds one. Random access works, but a sequence that is decoded in order is cheap in order only.
+// An ordered sequence whose elements have stable ids. Elements are loaded when they are read and dropped afterwards, so
+// a loop over 18,000 images holds one. Random access works, but a sequence that is decoded in order is cheap in order
+// only.
 template <class T>
 class Seq {
  public:

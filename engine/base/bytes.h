@@ -56,8 +56,8 @@ class ByteReader {
     raw(&value, sizeof value);
     return value;
   }
-  // A count of things that take at least `least` bytes each: checked against what is left, so that damaged bytes cannot ask
-  // for more memory than there is data.
+  // A count of things that take at least `least` bytes each: checked against what is left, so that damaged bytes cannot
+  // ask for more memory than there is data.
   std::size_t count(std::size_t least = 1) {
     const auto value = number<std::uint64_t>();
     if (least != 0 && value > left() / least) throw std::runtime_error("the bytes of a value end too early");

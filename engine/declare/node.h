@@ -55,22 +55,28 @@ struct options_of<D, Rest...> {
   using type = std::conditional_t<declared<D>::param, typename declared<D>::owner, typename options_of<Rest...>::type>;
 };
 
-// --- parameters -------------------------------------------------------------------------------------------------------
+// --- parameters
+// -------------------------------------------------------------------------------------------------------
 
 template <class E>
 constexpr ParamKind param_kind() {
-  if constexpr (std::is_same_v<E, bool>) return ParamKind::boolean;
-  else if constexpr (std::is_enum_v<E>) return ParamKind::choice;
-  else if constexpr (std::is_integral_v<E>) return ParamKind::integer;
-  else if constexpr (std::is_floating_point_v<E>) return ParamKind::real;
-  else return ParamKind::string;
+  if constexpr (std::is_same_v<E, bool>)
+    return ParamKind::boolean;
+  else if constexpr (std::is_enum_v<E>)
+    return ParamKind::choice;
+  else if constexpr (std::is_integral_v<E>)
+    return ParamKind::integer;
+  else if constexpr (std::is_floating_point_v<E>)
+    return ParamKind::real;
+  else
+    return ParamKind::string;
 }
 
 // The type that carries an element of a parameter in a ParamValue.
 template <class E>
 using carried = std::conditional_t<std::is_same_v<E, bool>, bool,
-                std::conditional_t<std::is_enum_v<E> || std::is_same_v<E, std::string>, std::string,
-                std::conditional_t<std::is_integral_v<E>, std::int64_t, double>>>;
+                                   std::conditional_t<std::is_enum_v<E> || std::is_same_v<E, std::string>, std::string,
+                                                      std::conditional_t<std::is_integral_v<E>, std::int64_t, double>>>;
 
 template <class E>
 carried<E> carry(const E& value, const std::vector<choice<E>>& choices) {
@@ -131,7 +137,8 @@ void set_param(S& options, const param_t<S, T>& declared_param, const ParamValue
   }
 }
 
-// --- outputs ----------------------------------------------------------------------------------------------------------
+// --- outputs
+// ----------------------------------------------------------------------------------------------------------
 
 template <class T>
 void add_output(NodeDeclaration& node, const char* name, const char* text, bool streamed) {
@@ -152,13 +159,15 @@ void give(Call& call, std::size_t output, T& value) {
   if constexpr (nested<T>::depth == 1) {
     // Copies: an element that stays in memory must not hold the whole sequence.
     using Element = typename nested<T>::type;
-    for (std::size_t i = 0; i < value.size(); ++i) call.push(output, value.id(i), std::make_shared<const Element>(*value.at(i)));
+    for (std::size_t i = 0; i < value.size(); ++i)
+      call.push(output, value.id(i), std::make_shared<const Element>(*value.at(i)));
   } else {
     call.result(output, std::make_shared<const T>(std::move(value)));
   }
 }
 
-// --- words ------------------------------------------------------------------------------------------------------------
+// --- words
+// ------------------------------------------------------------------------------------------------------------
 
 inline void add_word(NodeInfo& info, const doc& d) { info.doc = d.text; }
 inline void add_word(NodeInfo& info, const version& v) { info.version = v.number; }
@@ -181,7 +190,8 @@ inline void collect_whole(std::vector<whole_output>& list, const whole_output& o
 template <class D>
 void collect_whole(std::vector<whole_output>&, const D&) {}
 
-// --- arguments --------------------------------------------------------------------------------------------------------
+// --- arguments
+// --------------------------------------------------------------------------------------------------------
 
 // What the engine keeps alive for one argument while the function runs.
 template <class A, class Options>
@@ -229,7 +239,8 @@ struct Holder {
   }
 };
 
-// --- the whole --------------------------------------------------------------------------------------------------------
+// --- the whole
+// --------------------------------------------------------------------------------------------------------
 
 template <class F, class... D>
 struct Binding {
@@ -269,11 +280,12 @@ struct Binding {
   static_assert((std::size_t{0} + ... + std::size_t{declared<D>::input_word}) == inputs,
                 "declare one input{...} per input of the function, in the function's order");
   static_assert(member_outputs + whole_outputs > 0, "declare at least one output(...)");
-  static_assert(whole_outputs == writers + (returns_whole ? 1 : 0),
-                "declare one output(name, text) for the result (unless its members are declared) and one per SeqWriter");
-  static_assert(((!declared<D>::member_output || std::is_same_v<typename declared<D>::owner, Result>) && ...),
+  static_assert(
+      whole_outputs == writers + (returns_whole ? 1 : 0),
+      "declare one output(name, text) for the result (unless its members are declared) and one per SeqWriter");
+  static_assert(((!declared<D>::member_output || std::is_same_v<typename declared<D>::owner, Result>)&&...),
                 "output(...) members must belong to the function's return type");
-  static_assert(((!declared<D>::param || std::is_same_v<typename declared<D>::owner, Options>) && ...),
+  static_assert(((!declared<D>::param || std::is_same_v<typename declared<D>::owner, Options>)&&...),
                 "all param(...) members must belong to one options struct");
   static_assert(std::is_same_v<Options, no_options> || count_options(Indices{}) == 1,
                 "param(...) members must belong to the function's options argument");
@@ -285,14 +297,16 @@ struct Binding {
   static constexpr std::size_t input_index() {
     return []<std::size_t... J>(std::index_sequence<J...>) {
       return (std::size_t{0} + ... + std::size_t{is_input_argument<J>});
-    }(std::make_index_sequence<I>{});
+    }
+    (std::make_index_sequence<I>{});
   }
   // Outputs in the order of the node: members and the whole result first, then writers.
   template <std::size_t I>
   static constexpr std::size_t output_index() {
     return member_outputs + (returns_whole ? 1 : 0) + []<std::size_t... J>(std::index_sequence<J...>) {
       return (std::size_t{0} + ... + std::size_t{argument<Arg<J>>::role == Role::writer});
-    }(std::make_index_sequence<I>{});
+    }
+    (std::make_index_sequence<I>{});
   }
 
   // The result struct, put together again from stored outputs.
@@ -313,7 +327,8 @@ struct Binding {
     result.*(o.member) = *static_cast<const T*>(values[output++].get());
   }
   template <class R, class Word>
-  static void restore(R& result, const Word&, const std::vector<std::shared_ptr<const void>>& values, std::size_t& output) {
+  static void restore(R& result, const Word&, const std::vector<std::shared_ptr<const void>>& values,
+                      std::size_t& output) {
     if constexpr (std::is_same_v<Word, whole_output>) result = *static_cast<const R*>(values[output++].get());
   }
 
@@ -338,13 +353,13 @@ struct Binding {
     Options options{};
     std::size_t index = 0;
     std::apply([&](const auto&... d) { (choose(options, d, call, index), ...); }, declarations);
-    auto held = std::make_tuple(Holder<Arg<I>, Options>::make(call, input_index<I>(), output_index<I>(), options,
-                                                              [this](Call& c) {
-                                                                if constexpr (argument<Arg<I>>::role == Role::prior)
-                                                                  return prior_of<typename argument<Arg<I>>::type>(c);
-                                                                else
-                                                                  return std::shared_ptr<const void>();
-                                                              })...);
+    auto held = std::make_tuple(
+        Holder<Arg<I>, Options>::make(call, input_index<I>(), output_index<I>(), options, [this](Call& c) {
+          if constexpr (argument<Arg<I>>::role == Role::prior)
+            return prior_of<typename argument<Arg<I>>::type>(c);
+          else
+            return std::shared_ptr<const void>();
+        })...);
     if constexpr (!returns) {
       function(Holder<Arg<I>, Options>::get(std::get<I>(held))...);
     } else {
@@ -359,8 +374,8 @@ struct Binding {
   }
 
   template <std::size_t I>
-  static void describe_argument(NodeDeclaration& node, const std::vector<input>& words, const std::vector<whole_output>& wholes,
-                                std::size_t& next_whole) {
+  static void describe_argument(NodeDeclaration& node, const std::vector<input>& words,
+                                const std::vector<whole_output>& wholes, std::size_t& next_whole) {
     using A = argument<Arg<I>>;
     using T = typename A::type;
     if constexpr (is_options<I>) {
@@ -390,12 +405,14 @@ struct Binding {
   void describe(NodeDeclaration& node, std::index_sequence<I...>) const {
     std::vector<input> words;
     std::vector<whole_output> wholes;
-    std::apply([&](const auto&... d) {
-      (add_word(node.info, d), ...);
-      (collect_input(words, d), ...);
-      (collect_whole(wholes, d), ...);
-      (add_member_output(node, d), ...);
-    }, declarations);
+    std::apply(
+        [&](const auto&... d) {
+          (add_word(node.info, d), ...);
+          (collect_input(words, d), ...);
+          (collect_whole(wholes, d), ...);
+          (add_member_output(node, d), ...);
+        },
+        declarations);
     std::size_t next_whole = 0;
     if constexpr (returns_whole) {
       add_output<Result>(node, wholes[0].name, wholes[0].text, false);

@@ -22,14 +22,14 @@ struct ParamInfo {
   double low = 0, high = 0;          // numbers only, inclusive
   std::vector<std::string> choices;  // ParamKind::choice only
   ParamValue initial;
-  std::string inert;                 // why changing it may leave the output alone; mostly empty
+  std::string inert;  // why changing it may leave the output alone; mostly empty
 };
 
 struct InputInfo {
   std::string name;
   std::string doc;
-  std::string type;       // name of a value type; empty = any (structural nodes)
-  int depth = 0;          // levels of Seq the port takes as a whole
+  std::string type;  // name of a value type; empty = any (structural nodes)
+  int depth = 0;     // levels of Seq the port takes as a whole
   bool optional = false;
   bool variadic = false;  // takes a list of references (structural nodes)
   bool window = false;    // the element with its neighbours
@@ -39,8 +39,8 @@ struct InputInfo {
 struct OutputInfo {
   std::string name;
   std::string doc;
-  std::string type;       // empty = that of the first input (structural nodes)
-  int depth = 0;          // levels of Seq the node adds
+  std::string type;  // empty = that of the first input (structural nodes)
+  int depth = 0;     // levels of Seq the node adds
 };
 
 // How the engine carries out a node that only rearranges. `none` = a plugin's function.
@@ -54,18 +54,19 @@ struct NodeInfo {
   std::vector<InputInfo> inputs;
   std::vector<ParamInfo> params;
   std::vector<OutputInfo> outputs;
-  bool cheap = false;            // values are never hashed or stored; recomputed when somebody must read them
-  bool prior = false;            // one task per element, in order
-  std::int64_t memory_bytes = 0; // hint: what a task needs beside its inputs and outputs
-  int threads = 1;               // hint: threads that the function uses itself
+  bool cheap = false;             // values are never hashed or stored; recomputed when somebody must read them
+  bool prior = false;             // one task per element, in order
+  std::int64_t memory_bytes = 0;  // hint: what a task needs beside its inputs and outputs
+  int threads = 1;                // hint: threads that the function uses itself
   Structural structural = Structural::none;
 
-  int find_input(std::string_view name) const;   // index, or -1
+  int find_input(std::string_view name) const;  // index, or -1
   int find_param(std::string_view name) const;
   int find_output(std::string_view name) const;
 };
 
-// The engine's own nodes: files.list, seq.select, seq.slice, seq.every, seq.where, seq.flatten, seq.merge, seq.ids, first.
+// The engine's own nodes: files.list, seq.select, seq.slice, seq.every, seq.where, seq.flatten, seq.merge, seq.ids,
+// first.
 const std::vector<NodeInfo>& structural_nodes();
 
 // "3", "0.5", "[1, 2]", "\"text\"": as JSON.

@@ -108,7 +108,8 @@ template <class S>
 S open_sequence(std::shared_ptr<const SequenceAccess> access);
 template <class T>
 Seq<T> open_sequence_of(std::shared_ptr<const SequenceAccess> access) {
-  return Seq<T>(std::static_pointer_cast<const SeqSource<T>>(std::make_shared<const TypedSource<T>>(std::move(access))));
+  return Seq<T>(
+      std::static_pointer_cast<const SeqSource<T>>(std::make_shared<const TypedSource<T>>(std::move(access))));
 }
 template <class S>
 struct sequence_opener;

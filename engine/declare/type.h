@@ -18,7 +18,8 @@ struct difference {
   const char* node;
 };
 
-// A member of the type: field<&Mesh::points>(). The fields of a member that is a struct (or a list of structs) go inside.
+// A member of the type: field<&Mesh::points>(). The fields of a member that is a struct (or a list of structs) go
+// inside.
 template <auto Member, class... Fields>
 constexpr codec::Field<Member, Fields...> field(Fields...) {
   return {};

@@ -91,7 +91,8 @@ param_t<S, T> param(const char* name, T S::*member, std::initializer_list<choice
 template <class S, class T>
 param_t<S, T> param(const char* name, T S::*member, const char* text, inert why = {}) {
   using E = typename element_of<T>::type;
-  static_assert(std::is_same_v<E, bool> || std::is_same_v<E, std::string>, "a number needs range and unit, an enum its choices");
+  static_assert(std::is_same_v<E, bool> || std::is_same_v<E, std::string>,
+                "a number needs range and unit, an enum its choices");
   return {name, member, text, "", 0, 0, {}, why.reason};
 }
 

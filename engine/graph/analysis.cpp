@@ -285,7 +285,8 @@ class Analysis {
       const bool first_only = flat_.nodes[node].info->structural == Structural::first;
       for (const auto& links : flat_.nodes[node].ports)
         for (const Link& link : links) {
-          const bool present = link.kind == Link::Kind::file || (link.kind == Link::Kind::node && !states_[link.node].absent);
+          const bool present =
+              link.kind == Link::Kind::file || (link.kind == Link::Kind::node && !states_[link.node].absent);
           need(link);
           if (first_only && present) break;  // the alternatives behind it are not looked at
         }

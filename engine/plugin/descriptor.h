@@ -9,8 +9,8 @@ namespace engine {
 // Bumped whenever a type that crosses the border between engine and plugin changes.
 inline constexpr std::uint32_t abi_version = 1;
 
-// What must agree between the engine and a plugin. Read from the file, before any code of the plugin runs: plain bytes in a
-// section of their own.
+// What must agree between the engine and a plugin. Read from the file, before any code of the plugin runs: plain bytes
+// in a section of their own.
 struct PluginTags {
   char magic[16];
   std::uint32_t abi;
@@ -43,9 +43,9 @@ inline constexpr const char* plugin_entry_symbol = "facegraph_plugin";
 #else
 #define ENGINE_INSTRUCTIONS "x86-64"
 #endif
-inline constexpr PluginTags this_abi = {
-    "facegraph-node", abi_version, ENGINE_COMPILER,
-    "libstdc++ cxx11-abi " ENGINE_TEXT(_GLIBCXX_USE_CXX11_ABI), ENGINE_INSTRUCTIONS ENGINE_SANITIZER};
+inline constexpr PluginTags this_abi = {"facegraph-node", abi_version, ENGINE_COMPILER,
+                                        "libstdc++ cxx11-abi " ENGINE_TEXT(_GLIBCXX_USE_CXX11_ABI),
+                                        ENGINE_INSTRUCTIONS ENGINE_SANITIZER};
 
 struct PluginDescriptor {
   // The plugin's nodes, in the order of its object files.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled into every plugin: its tags and its descriptor. The nodes are the entries that NODE left in a linker section.
+// Compiled into every plugin: its tags and its descriptor. The nodes are the entries that NODE left in a linker
+// section.
 #include "engine/declare/node.h"
 #include "engine/plugin/descriptor.h"
 

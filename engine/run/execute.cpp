@@ -13,7 +13,8 @@
 namespace engine::run {
 namespace fs = std::filesystem;
 
-// --- reading --------------------------------------------------------------------------------------------------------------
+// --- reading
+// --------------------------------------------------------------------------------------------------------------
 
 // A sequence as a running task reads it. Its ids no longer change.
 class TreeAccess final : public SequenceAccess {
@@ -44,7 +45,10 @@ class TreeAccess final : public SequenceAccess {
 class TaskCall final : public Call, public Progress {
  public:
   TaskCall(Session& session, Task& task, const NodeDeclaration& declaration)
-      : session_(session), task_(task), declaration_(declaration), params_(session.params_of(task)),
+      : session_(session),
+        task_(task),
+        declaration_(declaration),
+        params_(session.params_of(task)),
         files_(session.source_paths(task)) {
     records_.resize(task.outputs.size());
     results_.resize(task.outputs.size());
@@ -73,7 +77,8 @@ class TaskCall final : public Call, public Progress {
       const auto [begin, end] = span_of(binding, declaration_.info.inputs[input]);
       values.centre = binding.index - begin;
       const std::vector<Tree*>& children = binding.tree->sequence->children;
-      around.assign(children.begin() + static_cast<std::ptrdiff_t>(begin), children.begin() + static_cast<std::ptrdiff_t>(end));
+      around.assign(children.begin() + static_cast<std::ptrdiff_t>(begin),
+                    children.begin() + static_cast<std::ptrdiff_t>(end));
     }
     for (Tree* tree : around) values.values.push_back(session_.fetch(tree, *declaration_.input_types[input]).data());
     return values;
@@ -132,9 +137,7 @@ class TaskCall final : public Call, public Progress {
 
  private:
   static constexpr std::size_t most_files_per_push = 16;
-  Tree* bound(std::size_t input) const {
-    return task_.inputs[input].empty() ? nullptr : task_.inputs[input][0].tree;
-  }
+  Tree* bound(std::size_t input) const { return task_.inputs[input].empty() ? nullptr : task_.inputs[input][0].tree; }
   Session& session_;
   Task& task_;
   const NodeDeclaration& declaration_;
@@ -173,7 +176,8 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type) {
   return value;
 }
 
-// --- values in memory -------------------------------------------------------------------------------------------------------
+// --- values in memory
+// -------------------------------------------------------------------------------------------------------
 
 void Session::hold_value(Tree* leaf, Value value) {
   if (!leaf->value) {
@@ -246,7 +250,8 @@ void Session::produce(Task& task) {
   launch(task);
 }
 
-// --- one task -------------------------------------------------------------------------------------------------------------
+// --- one task
+// -------------------------------------------------------------------------------------------------------------
 
 void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
   task.state = Task::State::running;
@@ -373,7 +378,8 @@ std::vector<OutputRecord> Session::call_node(Task& task) {
 void Session::accept_element(Task& task, std::size_t output, std::string id, Value value, OutputRecord& record) {
   const std::string canonical = canonical_id(id);
   if (canonical.empty())
-    throw std::logic_error("it gave an element the id '" + id + "': expected letters, digits, '_', '-' and '.', and not digits-digits");
+    throw std::logic_error("it gave an element the id '" + id +
+                           "': expected letters, digits, '_', '-' and '.', and not digits-digits");
   const std::size_t ordinal = record.elements.size();
   const bool cheap = node(task.node).info->cheap;
   OutputRecord::Element element{canonical, {}};
@@ -473,7 +479,8 @@ void Session::finish_task(Task& task, const std::vector<OutputRecord>& records) 
 void Session::fail_task(Task& task, const std::string& text) {
   task.state = Task::State::failed;
   ++counts_.failed;
-  const std::string message = name_of(task) + " (" + node(task.node).info->name + "): " + text + " [key " + task.key.brief() + "]";
+  const std::string message =
+      name_of(task) + " (" + node(task.node).info->name + "): " + text + " [key " + task.key.brief() + "]";
   failures_.push_back(message);
   emit(RunEvent::Kind::failed, task, message);
   for (Tree* output : task.outputs) {

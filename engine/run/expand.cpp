@@ -69,7 +69,8 @@ bool ElementFilter::admits(const std::string& path) const {
   return false;
 }
 
-// --- trees ------------------------------------------------------------------------------------------------------------
+// --- trees
+// ------------------------------------------------------------------------------------------------------------
 
 Tree* Session::new_tree() { return &trees_.emplace_back(); }
 
@@ -220,8 +221,10 @@ void Session::restrict_to_elements() {
         const bool elementwise = filtered_[n] && !consumer.info->prior && !port.window && port.depth == 0 &&
                                  source.element.empty() && consumer.info->structural == Structural::none &&
                                  graph_.nodes[producer].mapped_depth == consumer.mapped_depth;
-        if (!elementwise) whole[producer] = true;
-        else if (graph_.nodes[producer].info->structural == Structural::none) filtered_[producer] = !graph_.nodes[producer].info->prior;
+        if (!elementwise)
+          whole[producer] = true;
+        else if (graph_.nodes[producer].info->structural == Structural::none)
+          filtered_[producer] = !graph_.nodes[producer].info->prior;
       }
     }
   }
@@ -339,7 +342,8 @@ void Task::update(Tree*) {
   if (--waits == 0) session->settled_inputs(*this);
 }
 
-// --- levels of mapping --------------------------------------------------------------------------------------------------
+// --- levels of mapping
+// --------------------------------------------------------------------------------------------------
 
 Level::Level(Session& session, int node, Bindings inputs, std::string path, std::vector<Tree*> outputs)
     : session_(session), node_(node), inputs_(std::move(inputs)), path_(std::move(path)), outputs_(std::move(outputs)) {
@@ -371,7 +375,8 @@ bool Level::ready_for(std::size_t index) {
   for (Driver& driver : required_) {
     const Tree::Sequence& held = *driver.tree->sequence;
     if (held.children.size() <= index) return false;
-    if (driver.window && held.children.size() <= index + static_cast<std::size_t>(driver.after) && !held.complete) return false;
+    if (driver.window && held.children.size() <= index + static_cast<std::size_t>(driver.after) && !held.complete)
+      return false;
   }
   return true;
 }
@@ -383,7 +388,8 @@ void Level::update(Tree*) {
       driver.tree = follow(driver.tree);
       if (driver.tree->state == Tree::State::pending) return;
       // An optional sequence that broke off is not one without elements.
-      const bool lost = drivers == &sparse_ && driver.tree->state == Tree::State::sequence && driver.tree->sequence->cut_off;
+      const bool lost =
+          drivers == &sparse_ && driver.tree->state == Tree::State::sequence && driver.tree->sequence->cut_off;
       if (driver.tree->state == Tree::State::failed || lost) {
         done_ = true;
         for (Tree* output : outputs_) session_.fail_tree(output);
@@ -475,9 +481,9 @@ void Level::finish() {
     const bool shorter = held.ids.size() < lead.ids.size();
     const std::string& odd = shorter ? lead.ids[held.ids.size()] : held.ids[lead.ids.size()];
     return fail_level("inputs '" + graph_node.info->inputs[required_[0].port].name + "' and '" +
-                      graph_node.info->inputs[driver.port].name + "' have different ids: '" + odd + "' is only in the " +
-                      (shorter ? "first" : "second") + " (" + std::to_string(lead.ids.size()) + " and " +
-                      std::to_string(held.ids.size()) + " elements)");
+                      graph_node.info->inputs[driver.port].name + "' have different ids: '" + odd +
+                      "' is only in the " + (shorter ? "first" : "second") + " (" + std::to_string(lead.ids.size()) +
+                      " and " + std::to_string(held.ids.size()) + " elements)");
   }
   if (!sparse_.empty()) lead.index();
   for (const Driver& driver : sparse_)
@@ -494,7 +500,8 @@ void Level::finish() {
   }
 }
 
-// --- picking one element --------------------------------------------------------------------------------------------------
+// --- picking one element
+// --------------------------------------------------------------------------------------------------
 
 Pick::Pick(Session& session, Tree* from, std::vector<std::string> ids, Tree* to, std::string shown)
     : session_(session), from_(from), ids_(std::move(ids)), to_(to), shown_(std::move(shown)) {}

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cctype>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -96,8 +96,10 @@ class Publisher {
     const File& file = value.as<File>();
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
-    if (error) throw EngineError("cannot make the output folder " + target.parent_path().string() + ": " + error.message());
-    const fs::path temporary = target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()));
+    if (error)
+      throw EngineError("cannot make the output folder " + target.parent_path().string() + ": " + error.message());
+    const fs::path temporary =
+        target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()));
     copy_file(file.path(), temporary.string());
     if (::rename(temporary.c_str(), target.c_str()) != 0) {
       const int cause = errno;
@@ -117,8 +119,7 @@ class Publisher {
 
 void Session::publish_outputs(RunResult& result) {
   Publisher publisher(*this, store_, result);
-  for (std::size_t i = 0; i < graph_.outputs.size(); ++i)
-    try {
+  for (std::size_t i = 0; i < graph_.outputs.size(); ++i) try {
       publisher.publish(output_roots_.at(i), fs::path(options_.out_folder) / graph_.outputs[i].name);
     } catch (const Stopped&) {
       // The run was stopped at a failure, and the store has lost a value that would have to be made again.

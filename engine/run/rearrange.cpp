@@ -104,14 +104,16 @@ void Rearrangement::list_files() {
     const std::size_t dot = file.name.find_last_of('.');
     const std::string id = canonical_id(dot == 0 ? file.name : file.name.substr(0, dot));
     if (id.empty())
-      return fail("file " + file.name + " gives no id: expected letters, digits, '_', '-' and '.', and not digits-digits");
+      return fail("file " + file.name +
+                  " gives no id: expected letters, digits, '_', '-' and '.', and not digits-digits");
     entries.push_back({id, &file});
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return id_before(a.id, b.id); });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return id_before(a.id, b.id); });
   for (std::size_t i = 1; i < entries.size(); ++i)
     if (entries[i].id == entries[i - 1].id)
-      return fail("files " + entries[i - 1].file->name + " and " + entries[i].file->name + " give one id, '" + entries[i].id +
-                  "': choose one by 'pattern'");
+      return fail("files " + entries[i - 1].file->name + " and " + entries[i].file->name + " give one id, '" +
+                  entries[i].id + "': choose one by 'pattern'");
   for (const Entry& entry : entries) {
     Source source;
     source.kind = Source::Kind::file;
@@ -123,7 +125,9 @@ void Rearrangement::list_files() {
 
 bool Rearrangement::keeps(std::size_t index, const std::string& id, bool& decided) {
   const GraphNode& graph_node = session_.node(node_);
-  const auto number = [&](std::size_t param) { return static_cast<std::size_t>(std::get<std::int64_t>(graph_node.params[param])); };
+  const auto number = [&](std::size_t param) {
+    return static_cast<std::size_t>(std::get<std::int64_t>(graph_node.params[param]));
+  };
   decided = true;
   switch (graph_node.info->structural) {
     case Structural::slice:
@@ -156,9 +160,11 @@ void Rearrangement::pass_through() {
       return session_.fail_tree(output_);
     }
     if (held.ids != flags->sequence->ids) {
-      const auto odd = std::mismatch(held.ids.begin(), held.ids.end(), flags->sequence->ids.begin(), flags->sequence->ids.end());
+      const auto odd =
+          std::mismatch(held.ids.begin(), held.ids.end(), flags->sequence->ids.begin(), flags->sequence->ids.end());
       done_ = true;
-      session_.note_failure(graph_node.id + ": inputs 'sequence' and 'flags' have different ids: the first odd one is '" +
+      session_.note_failure(graph_node.id +
+                            ": inputs 'sequence' and 'flags' have different ids: the first odd one is '" +
                             (odd.first != held.ids.end() ? *odd.first : *odd.second) + "'");
       ++session_.counts_.failed;
       return session_.fail_tree(output_);
@@ -202,7 +208,8 @@ void Rearrangement::flatten() {
     }
     if (inner->state == Tree::State::sequence) {
       for (; inner_ < inner->sequence->children.size(); ++inner_)
-        session_.add_child(output_, outer.ids[next_] + "." + inner->sequence->ids[inner_], inner->sequence->children[inner_]);
+        session_.add_child(output_, outer.ids[next_] + "." + inner->sequence->ids[inner_],
+                           inner->sequence->children[inner_]);
       if (!inner->sequence->complete) {
         if (watched_ != inner) inner->on_grow.push_back(this);
         watched_ = inner;
@@ -238,10 +245,12 @@ void Rearrangement::merge() {
       elements.push_back({tree->sequence->ids[i], tree->sequence->children[i]});
   }
   done_ = true;
-  std::stable_sort(elements.begin(), elements.end(), [](const Element& a, const Element& b) { return id_before(a.id, b.id); });
+  std::stable_sort(elements.begin(), elements.end(),
+                   [](const Element& a, const Element& b) { return id_before(a.id, b.id); });
   for (std::size_t i = 1; i < elements.size(); ++i)
     if (elements[i].id == elements[i - 1].id) {
-      session_.note_failure(session_.node(node_).id + ": two of its sequences have an element '" + elements[i].id + "'");
+      session_.note_failure(session_.node(node_).id + ": two of its sequences have an element '" + elements[i].id +
+                            "'");
       ++session_.counts_.failed;
       return session_.fail_tree(output_);
     }

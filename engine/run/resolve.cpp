@@ -126,7 +126,8 @@ void Session::resolve(Task& task) {
   if (unknown) return would_run(task);
 
   task.key = key_of(task);
-  const bool streams = std::any_of(info.outputs.begin(), info.outputs.end(), [](const OutputInfo& o) { return o.depth > 0; });
+  const bool streams =
+      std::any_of(info.outputs.begin(), info.outputs.end(), [](const OutputInfo& o) { return o.depth > 0; });
   if (info.cheap && !streams) return install_cheap(task);
   if (const auto outputs = store_.find_outputs(task.key); outputs && outputs->size() == task.outputs.size()) {
     if (!info.cheap) {
@@ -262,7 +263,8 @@ void Session::release_inputs(Task& task) {
     }
 }
 
-// --- for explain ----------------------------------------------------------------------------------------------------------
+// --- for explain
+// ----------------------------------------------------------------------------------------------------------
 
 std::string Session::name_of(const Task& task) const {
   return node(task.node).id + (task.element.empty() ? "" : "[" + task.element + "]");
@@ -273,7 +275,8 @@ std::vector<KeyPart> Session::parts_with(int node_index, const std::vector<Param
   std::vector<KeyPart> parts;
   parts.push_back({"version", std::to_string(info.version), ""});
   parts.push_back({"plugin " + plugins_.plugin_of(info.name), plugins_.digest(info.name).hex(), ""});
-  for (std::size_t i = 0; i < params.size(); ++i) parts.push_back({"parameter " + info.params[i].name, to_text(params[i]), ""});
+  for (std::size_t i = 0; i < params.size(); ++i)
+    parts.push_back({"parameter " + info.params[i].name, to_text(params[i]), ""});
   return parts;
 }
 
@@ -304,7 +307,8 @@ std::vector<KeyPart> Session::key_parts(const Task& task) {
       const Tree::Sequence& around = *binding.tree->sequence;
       const auto [begin, end] = span_of(binding, info.inputs[p]);
       for (std::size_t i = begin; i < end; ++i)
-        parts.push_back({label + "[" + around.ids[i] + "]", identity_of(follow(around.children[i])).hex(), origin(follow(around.children[i]))});
+        parts.push_back({label + "[" + around.ids[i] + "]", identity_of(follow(around.children[i])).hex(),
+                         origin(follow(around.children[i]))});
     } else if (binding.tree->state == Tree::State::sequence) {
       // The elements themselves are in the node's history; here only the whole.
       parts.push_back({label, identity_of(binding.tree).hex(), "sequence"});
@@ -314,7 +318,8 @@ std::vector<KeyPart> Session::key_parts(const Task& task) {
   }
   if (info.prior && task.prior)
     for (std::size_t o = 0; o < task.prior->outputs.size(); ++o)
-      parts.push_back({"prior " + info.outputs[o].name, identity_of(task.prior->outputs[o]).hex(), name_of(*task.prior)});
+      parts.push_back(
+          {"prior " + info.outputs[o].name, identity_of(task.prior->outputs[o]).hex(), name_of(*task.prior)});
   return parts;
 }
 

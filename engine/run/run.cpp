@@ -28,7 +28,8 @@ Graph reduced_to(const Graph& graph, int target) {
     for (const auto& port : reduced.nodes[n].inputs)
       for (const Source& source : port) {
         if (source.kind == Source::Kind::node) reduced.nodes[static_cast<std::size_t>(source.node)].needed = true;
-        if (reduced.nodes[n].info->structural == Structural::first) break;  // the alternatives behind it are not looked at
+        if (reduced.nodes[n].info->structural == Structural::first)
+          break;  // the alternatives behind it are not looked at
       }
   }
   return reduced;
@@ -216,20 +217,23 @@ class Explainer {
       return true;
     }
     if (part.label.rfind("plugin ", 0) == 0) {
-      cause(task, part.label + " changed: " + (old ? old->value.substr(0, 12) : "absent") + " -> " + part.value.substr(0, 12));
+      cause(task, part.label + " changed: " + (old ? old->value.substr(0, 12) : "absent") + " -> " +
+                      part.value.substr(0, 12));
       return true;
     }
     const std::string path = part.origin.rfind("file:", 0) == 0 ? part.origin.substr(5) : std::string();
     if (!path.empty()) {
       const std::string before = old && old->origin.rfind("file:", 0) == 0 ? old->origin.substr(5) : std::string();
       if (before.empty() || before == path)
-        cause(task, "file " + path + " changed: " + (old ? old->value.substr(0, 12) : "absent") + " -> " + part.value.substr(0, 12));
+        cause(task, "file " + path + " changed: " + (old ? old->value.substr(0, 12) : "absent") + " -> " +
+                        part.value.substr(0, 12));
       else
         cause(task, part.label + ": file " + before + " -> " + path);
       return true;
     }
     if (!old || part.value == "absent" || old->value == "absent") {
-      if (old && part.value != old->value) cause(task, part.label + ": " + (old->value == "absent" ? "absent -> connected" : "connected -> absent"));
+      if (old && part.value != old->value)
+        cause(task, part.label + ": " + (old->value == "absent" ? "absent -> connected" : "connected -> absent"));
       return old != nullptr;
     }
     return false;  // an input made by a task: looked into there
@@ -264,6 +268,12 @@ RunResult run_graph(const Graph& graph, Plugins& plugins, Store& store, const Ru
   session.work();
   RunResult result;
   session.finish_run(result);
+  if (!options.elements.empty() && result.failures.empty() && !result.cancelled) {
+    const int target = whole->find_node(options.to);
+    const auto& tasks = session.tasks();
+    if (std::none_of(tasks.begin(), tasks.end(), [&](const Task& task) { return task.node == target; }))
+      result.failures.push_back(options.to + ": it has none of the elements asked for");
+  }
   if (!options.out_folder.empty() && options.to.empty() && !result.cancelled) session.publish_outputs(result);
   return result;
 }
@@ -279,7 +289,9 @@ Plan plan_graph(const Graph& graph, Plugins& plugins, Store& store) {
     if (session.node(task.node).info->cheap && task.state == Task::State::known) continue;
     PlannedTask entry = planned(session, task);
     if (entry.fate == PlannedTask::Fate::may_run) entry.depends_on = first_unknown(session, task);
-    (entry.fate == PlannedTask::Fate::cached ? plan.cached : entry.fate == PlannedTask::Fate::runs ? plan.runs : plan.may_run) += 1;
+    (entry.fate == PlannedTask::Fate::cached ? plan.cached
+     : entry.fate == PlannedTask::Fate::runs ? plan.runs
+                                             : plan.may_run) += 1;
     plan.tasks.push_back(std::move(entry));
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -288,7 +300,8 @@ Plan plan_graph(const Graph& graph, Plugins& plugins, Store& store) {
     PlannedTask entry{PlannedTask::Fate::unknown_length, node.id, node.info->name, "", ""};
     for (std::size_t p = 0; p < node.inputs.size(); ++p)
       for (const Source& source : node.inputs[p])
-        if (entry.depends_on.empty() && source.kind == Source::Kind::node && node.input_depth[p] > node.info->inputs[p].depth)
+        if (entry.depends_on.empty() && source.kind == Source::Kind::node &&
+            node.input_depth[p] > node.info->inputs[p].depth)
           entry.depends_on = graph.nodes[static_cast<std::size_t>(source.node)].id;
     plan.tasks.push_back(std::move(entry));
   }
@@ -349,7 +362,8 @@ std::vector<Digest> values_of(const Graph& graph, Plugins& plugins, Store& store
   return {digests.begin(), digests.end()};
 }
 
-GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Reference& reference, const RunOptions& given) {
+GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Reference& reference,
+                   const RunOptions& given) {
   const int target = find_or_throw(graph, reference.node);
   const GraphNode& node = graph.nodes[static_cast<std::size_t>(target)];
   int output = 0;
@@ -358,19 +372,25 @@ GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Ref
     if (output < 0) {
       std::vector<std::string> names;
       for (const OutputInfo& info : node.info->outputs) names.push_back(info.name);
-      throw std::invalid_argument("node '" + reference.node + "' has no output '" + reference.output + "'" + did_you_mean(reference.output, names));
+      throw std::invalid_argument("node '" + reference.node + "' has no output '" + reference.output + "'" +
+                                  did_you_mean(reference.output, names));
     }
   }
   const int depth = node.output_depth[static_cast<std::size_t>(output)];
   if (static_cast<int>(reference.element.size()) != depth)
-    throw std::invalid_argument("output '" + node.info->outputs[static_cast<std::size_t>(output)].name + "' of node '" + reference.node + "' is " +
-                                (depth == 0 ? "one value" : "a sequence " + std::to_string(depth) + " deep") + ", so it is named " +
-                                reference.node + (depth == 0 ? "" : depth == 1 ? "[ID]" : "[ID/ID]"));
+    throw std::invalid_argument("output '" + node.info->outputs[static_cast<std::size_t>(output)].name + "' of node '" +
+                                reference.node + "' is " +
+                                (depth == 0 ? "one value" : "a sequence " + std::to_string(depth) + " deep") +
+                                ", so it is named " + reference.node +
+                                (depth == 0   ? ""
+                                 : depth == 1 ? "[ID]"
+                                              : "[ID/ID]"));
   RunOptions options = given;
   options.to = reference.node;
   options.out_folder.clear();
   std::string path;
-  for (int i = 0; i < node.mapped_depth; ++i) path += (i == 0 ? "" : "/") + reference.element[static_cast<std::size_t>(i)];
+  for (int i = 0; i < node.mapped_depth; ++i)
+    path += (i == 0 ? "" : "/") + reference.element[static_cast<std::size_t>(i)];
   if (!path.empty()) options.elements = {path};
   const Graph reduced = reduced_to(graph, target);
   Session session(reduced, plugins, store, options, Session::Mode::run);
@@ -395,7 +415,8 @@ GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Ref
   if (tree->state != Tree::State::leaf) throw std::runtime_error("the run ended before the value was made");
   const TypeInfo* type = nullptr;
   const std::string& type_name = node.output_type[static_cast<std::size_t>(output)];
-  for (const TypeInfo* builtin : {&type_of<double>(), &type_of<std::int64_t>(), &type_of<bool>(), &type_of<std::string>(), &type_of<File>()})
+  for (const TypeInfo* builtin :
+       {&type_of<double>(), &type_of<std::int64_t>(), &type_of<bool>(), &type_of<std::string>(), &type_of<File>()})
     if (builtin->name == type_name) type = builtin;
   if (!type) type = plugins.load_type(type_name);
   if (!type) throw std::runtime_error("no plugin has the type '" + type_name + "'");

@@ -19,8 +19,9 @@ Session::Session(const Graph& graph, Plugins& plugins, Store& store, const RunOp
     : graph_(graph), plugins_(plugins), store_(store), options_(options), mode_(mode), filter_(options.elements) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   most_workers_ = options.threads > 0 ? options.threads : static_cast<int>(cores);
-  budget_ = options.memory_bytes > 0 ? options.memory_bytes
-            : graph.run.memory_bytes > 0 ? graph.run.memory_bytes : half_of_memory();
+  budget_ = options.memory_bytes > 0     ? options.memory_bytes
+            : graph.run.memory_bytes > 0 ? graph.run.memory_bytes
+                                         : half_of_memory();
 }
 
 Session::~Session() {

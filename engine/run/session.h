@@ -33,9 +33,9 @@ struct Stopped {};
 
 // What one port of a task, or of a level of mapping, is bound to.
 struct Binding {
-  Tree* tree = nullptr;          // null: unconnected, or absent in a sparse sequence
-  int excess = 0;                // levels above what the port takes: to be mapped
-  bool windowed = false;         // tree is the sequence around element `index`
+  Tree* tree = nullptr;   // null: unconnected, or absent in a sparse sequence
+  int excess = 0;         // levels above what the port takes: to be mapped
+  bool windowed = false;  // tree is the sequence around element `index`
   std::size_t index = 0;
 };
 using Bindings = std::vector<std::vector<Binding>>;  // per port, per source (one, but at variadic ports)
@@ -43,28 +43,28 @@ using Bindings = std::vector<std::vector<Binding>>;  // per port, per source (on
 // One function call: a node at one element.
 struct Task final : Watcher {
   enum class State : std::uint8_t {
-    waiting,    // for the identities of its inputs
-    known,      // its outputs' identities are known; values may have to be made
-    wanted,     // it will run, once its inputs' values are there
-    ready,      // in the queue
+    waiting,  // for the identities of its inputs
+    known,    // its outputs' identities are known; values may have to be made
+    wanted,   // it will run, once its inputs' values are there
+    ready,    // in the queue
     running,
     failed,
     blocked,
-    would_run   // planning
+    would_run  // planning
   };
   Session* session = nullptr;
   int node = 0;
   State state = State::waiting;
-  bool repeated = false;         // its outputs are known; it runs to make values again
-  bool released = false;         // its inputs are no longer in use
-  bool audited = false;          // it runs again to the end, to be compared
-  std::uint8_t refusals = 0;     // how often another process held its key
-  std::uint32_t worker = 0;      // the thread that runs or ran it, from 1
+  bool repeated = false;      // its outputs are known; it runs to make values again
+  bool released = false;      // its inputs are no longer in use
+  bool audited = false;       // it runs again to the end, to be compared
+  std::uint8_t refusals = 0;  // how often another process held its key
+  std::uint32_t worker = 0;   // the thread that runs or ran it, from 1
   std::uint32_t serial = 0;
-  std::uint32_t waits = 0;       // unsettled inputs
-  std::uint32_t missing = 0;     // values asked for
-  std::string element;           // "take03/17"
-  std::vector<ParamValue> params; // only where overridden
+  std::uint32_t waits = 0;         // unsettled inputs
+  std::uint32_t missing = 0;       // values asked for
+  std::string element;             // "take03/17"
+  std::vector<ParamValue> params;  // only where overridden
   Bindings inputs;
   Task* prior = nullptr;
   std::vector<Tree*> outputs;
@@ -126,7 +126,7 @@ class Rearrangement final : public Watcher {
 
  private:
   void list_files();
-  void pass_through();   // select, slice, every, where, ids
+  void pass_through();  // select, slice, every, where, ids
   void flatten();
   void merge();
   bool keeps(std::size_t index, const std::string& id, bool& decided);
@@ -137,7 +137,7 @@ class Rearrangement final : public Watcher {
   std::optional<ElementFilter> chosen_;  // select
   Tree* output_;
   std::size_t next_ = 0, inner_ = 0;
-  Tree* watched_ = nullptr;      // flatten: the inner sequence that it waits for
+  Tree* watched_ = nullptr;  // flatten: the inner sequence that it waits for
   bool done_ = false;
 };
 
@@ -151,7 +151,7 @@ class Pick final : public Watcher {
   Session& session_;
   Tree* from_;
   std::vector<std::string> ids_;
-  std::size_t seen_ = 0;         // children that are not the one
+  std::size_t seen_ = 0;  // children that are not the one
   Tree* to_;
   std::string shown_;
   bool done_ = false;
@@ -191,7 +191,7 @@ class Session {
   // The value of a leaf: from memory, the store, or made anew. May wait; call without the lock.
   Value fetch(Tree* leaf, const TypeInfo& type);
   void count(RunResult& result);
-  void finish_run(RunResult& result);   // counts, histories
+  void finish_run(RunResult& result);  // counts, histories
   void note_failure(const std::string& text) { failures_.push_back(text); }
   std::mutex& lock() { return mutex_; }
   void publish_outputs(RunResult& result);
@@ -224,7 +224,7 @@ class Session {
 
   // --- resolve.cpp: keys and records
   void settled_inputs(Task& task) { to_resolve_.push_back(&task); }
-  void drain();           // resolves what has settled; a queue, since chains of priors are thousands long
+  void drain();  // resolves what has settled; a queue, since chains of priors are thousands long
   void resolve(Task& task);
   Digest key_of(Task& task);
   std::vector<KeyPart> parts_with(int node_index, const std::vector<ParamValue>& params);
@@ -234,7 +234,8 @@ class Session {
   void block(Task& task);
   void would_run(Task& task);
   void release_inputs(Task& task);
-  void each_input_leaf(Task& task, const std::function<void(Tree*)>& visit);  // direct leaves: values, window elements, prior outputs
+  void each_input_leaf(
+      Task& task, const std::function<void(Tree*)>& visit);  // direct leaves: values, window elements, prior outputs
 
   // --- execute.cpp: workers, values, memory
   void launch(Task& task);
@@ -252,7 +253,7 @@ class Session {
   std::vector<OutputRecord> call_node(Task& task);
   void finish_task(Task& task, const std::vector<OutputRecord>& records);
   void fail_task(Task& task, const std::string& text);
-  bool wanted(const Tree* leaf) const;        // somebody reads it, or will
+  bool wanted(const Tree* leaf) const;  // somebody reads it, or will
   void drop_unused(Tree* leaf);
   void hold_value(Tree* leaf, Value value);
   void drop_value(Tree* leaf);
@@ -273,7 +274,7 @@ class Session {
   const RunOptions& options_;
   const Mode mode_;
   ElementFilter filter_;
-  std::vector<bool> filtered_;               // per node: only elements that the filter admits
+  std::vector<bool> filtered_;  // per node: only elements that the filter admits
 
   std::mutex mutex_;
   std::deque<Tree> trees_;
@@ -284,7 +285,7 @@ class Session {
   std::map<std::string, Tree*> sources_;
   struct OpenedSource {
     std::string path;
-    std::vector<std::string> files;          // every one that was read
+    std::vector<std::string> files;  // every one that was read
   };
   std::unordered_map<const Tree*, OpenedSource> opened_;
   std::map<int, Digest> prefixes_;
@@ -300,20 +301,20 @@ class Session {
     Task* task;
     bool operator<(const Postponed& other) const { return until > other.until; }
   };
-  std::priority_queue<Postponed> held_;      // tasks whose key another process holds
-  std::condition_variable changed_;          // something became ready, was delivered, or memory fell
-  std::condition_variable ended_;            // nothing is left to do, or something is wrong with the whole
+  std::priority_queue<Postponed> held_;  // tasks whose key another process holds
+  std::condition_variable changed_;      // something became ready, was delivered, or memory fell
+  std::condition_variable ended_;        // nothing is left to do, or something is wrong with the whole
   std::vector<std::thread> threads_;
   std::uint32_t started_workers_ = 0;
-  int alive_ = 0;                            // workers
-  int active_ = 0;                           // of them, those at work and not blocked
-  int running_ = 0;                          // tasks running, blocked ones included
-  int blocked_ = 0;                          // threads waiting for a value or for memory
+  int alive_ = 0;    // workers
+  int active_ = 0;   // of them, those at work and not blocked
+  int running_ = 0;  // tasks running, blocked ones included
+  int blocked_ = 0;  // threads waiting for a value or for memory
   int most_workers_ = 1;
-  std::atomic<bool> stopped_ = false;        // written under the lock; running nodes look at it without
+  std::atomic<bool> stopped_ = false;  // written under the lock; running nodes look at it without
   std::int64_t budget_ = 0;
   std::int64_t used_ = 0;
-  std::deque<Tree*> resident_;               // leaves that hold a value, oldest first
+  std::deque<Tree*> resident_;  // leaves that hold a value, oldest first
   RunCounts counts_;
   std::size_t known_tasks_ = 0;
   std::vector<std::string> failures_;

@@ -132,8 +132,8 @@ void Session::wait_blocked(std::unique_lock<std::mutex>& guard, const std::funct
   --blocked_;
 }
 
-// Back-pressure: while the budget is exceeded and something else goes on, the producer waits, and another worker takes its
-// place; when nothing else goes on, values that can be made again go, and the budget is exceeded rather than never
+// Back-pressure: while the budget is exceeded and something else goes on, the producer waits, and another worker takes
+// its place; when nothing else goes on, values that can be made again go, and the budget is exceeded rather than never
 // reached. What another process holds does not count as going on: it may wait for the producer's key.
 void Session::throttle(std::unique_lock<std::mutex>& guard) {
   make_room(false);

@@ -88,7 +88,8 @@ struct Codec {
       if constexpr (is_plain<typename T::value_type>())
         writer.raw(value.data(), value.size() * sizeof(typename T::value_type));
       else
-        for (const typename T::value_type& element : value) Codec<typename T::value_type, Fields...>::encode(element, writer);
+        for (const typename T::value_type& element : value)
+          Codec<typename T::value_type, Fields...>::encode(element, writer);
     } else if constexpr (is_array<T>::value) {
       for (const auto& element : value) Codec<typename T::value_type, Fields...>::encode(element, writer);
     } else {
@@ -180,7 +181,9 @@ struct Codec {
     } else {
       bool first = true;
       out += "{";
-      ((out += first ? "" : ", ", first = false, append_quoted(out, Fields::name()), out += ": ", Fields::show(value, out)), ...);
+      ((out += first ? "" : ", ", first = false, append_quoted(out, Fields::name()), out += ": ",
+        Fields::show(value, out)),
+       ...);
       out += "}";
     }
   }

@@ -26,9 +26,9 @@ constexpr float m_per_mm = 0.001f;
 
 // The vertices of the glTF mesh: the rig's V, then copies of those that have several texture coordinates.
 struct Vertices {
-  std::vector<std::uint32_t> copies;  // rig vertex of vertex V + i
-  std::vector<Vec2f> uvs;             // all vertices; empty for a mesh without
-  std::vector<std::vector<Triangle>> triangles;  // per part
+  std::vector<std::uint32_t> copies;                  // rig vertex of vertex V + i
+  std::vector<Vec2f> uvs;                             // all vertices; empty for a mesh without
+  std::vector<std::vector<Triangle>> triangles;       // per part
   std::vector<std::vector<std::uint32_t>> copies_of;  // per rig vertex that has any; else empty. V, or empty
 
   std::vector<Vec3f> with_copies(std::vector<Vec3f> values) const {
@@ -113,19 +113,18 @@ std::vector<Vec3f> unit_normals(std::vector<Vec3f> normals) {
   return normals;
 }
 
-float linear(float srgb) {
-  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
+float linear(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
 
 json material_of(const Part& part) {
   const bool thin = part.name.find("lash") != std::string::npos;
-  json material = {{"name", part.name},
-                   {"pbrMetallicRoughness",
-                    {{"baseColorFactor", {linear(part.albedo_srgb[0]), linear(part.albedo_srgb[1]),
-                                          linear(part.albedo_srgb[2]), thin ? 0.5f : 1.0f}},
-                     {"metallicFactor", 0},
-                     {"roughnessFactor", std::clamp(0.8f - 0.65f * part.gloss, 0.05f, 1.0f)}}},
-                   {"doubleSided", true}};
+  json material = {
+      {"name", part.name},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor",
+         {linear(part.albedo_srgb[0]), linear(part.albedo_srgb[1]), linear(part.albedo_srgb[2]), thin ? 0.5f : 1.0f}},
+        {"metallicFactor", 0},
+        {"roughnessFactor", std::clamp(0.8f - 0.65f * part.gloss, 0.05f, 1.0f)}}},
+      {"doubleSided", true}};
   if (thin) material["alphaMode"] = "BLEND";
   return material;
 }
@@ -194,7 +193,8 @@ json targets_of(const Rig& rig, const Vertices& all, const ExportGltfOptions& op
           "\" moves vertex ", shape.vertices.empty() ? 0 : shape.vertices.back(), " of ", rig.neutral.points_mm.size());
     json target = {{"POSITION", add(position_changes(shape, all))}};
     if (options.morph_normals) {
-      const Changes normals = shape.vertices.empty() ? Changes{} : normal_changes(rig, shape, triangles, neutral_normals, all);
+      const Changes normals =
+          shape.vertices.empty() ? Changes{} : normal_changes(rig, shape, triangles, neutral_normals, all);
       target["NORMAL"] = add(normals);
     }
     targets.push_back(std::move(target));
@@ -241,7 +241,7 @@ json animation_of(const Rig& rig, const engine::Seq<Weights>& frames, const Time
 }  // namespace
 
 engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
-                        const ExportGltfOptions& options) {
+                         const ExportGltfOptions& options) {
   check_frames(frames.size(), timeline);
   check(!rig.shapes.empty(), "the rig has no shapes, so there is nothing to animate");
   const Mesh& mesh = rig.neutral;
@@ -252,8 +252,8 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
 
   json attributes = {{"POSITION", buffer.add_vectors(vertices.with_copies(in_metres(mesh.points_mm)), true)}};
   const std::vector<Triangle> all_triangles = render::triangulate(mesh).triangles;
-  attributes["NORMAL"] =
-      buffer.add_vectors(vertices.with_copies(unit_normals(render::vertex_normals(mesh.points_mm, all_triangles))), false);
+  attributes["NORMAL"] = buffer.add_vectors(
+      vertices.with_copies(unit_normals(render::vertex_normals(mesh.points_mm, all_triangles))), false);
   if (!vertices.uvs.empty()) attributes["TEXCOORD_0"] = buffer.add_vectors(vertices.uvs);
   if (!mesh.colors_srgb.empty()) {
     std::vector<Vec3f> colors = mesh.colors_srgb;
@@ -271,9 +271,12 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
     const Part& part = mesh.parts.empty() ? whole : mesh.parts[p];
     std::vector<std::uint32_t> indices;
     indices.reserve(vertices.triangles[p].size() * 3);
-    for (const Triangle& triangle : vertices.triangles[p]) indices.insert(indices.end(), triangle.begin(), triangle.end());
-    primitives.push_back({{"attributes", attributes}, {"indices", buffer.add_indices(indices)},
-                          {"material", materials.size()}, {"targets", targets}});
+    for (const Triangle& triangle : vertices.triangles[p])
+      indices.insert(indices.end(), triangle.begin(), triangle.end());
+    primitives.push_back({{"attributes", attributes},
+                          {"indices", buffer.add_indices(indices)},
+                          {"material", materials.size()},
+                          {"targets", targets}});
     materials.push_back(material_of(part));
     parts.push_back({{"name", part.name}, {"gloss", part.gloss}});
   }
@@ -281,16 +284,18 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
   json names = json::array();
   for (const Shape& shape : rig.shapes) names.push_back(shape.name);
 
-  json document = {{"asset", {{"version", "2.0"}, {"generator", "Facegraph"}}},
-                   {"scene", 0},
-                   {"scenes", {{{"nodes", {0}}}}},
-                   {"nodes", {{{"name", "head"}, {"mesh", 0}}}},
-                   {"meshes", {{{"name", "head"},
-                                {"primitives", std::move(primitives)},
-                                {"weights", std::vector<float>(rig.shapes.size(), 0.0f)},
-                                {"extras", {{"targetNames", std::move(names)},
-                                            {"facegraph", annotations_of(rig, vertices, std::move(parts))}}}}}},
-                   {"materials", std::move(materials)}};
+  json document = {
+      {"asset", {{"version", "2.0"}, {"generator", "Facegraph"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"name", "head"}, {"mesh", 0}}}},
+      {"meshes",
+       {{{"name", "head"},
+         {"primitives", std::move(primitives)},
+         {"weights", std::vector<float>(rig.shapes.size(), 0.0f)},
+         {"extras",
+          {{"targetNames", std::move(names)}, {"facegraph", annotations_of(rig, vertices, std::move(parts))}}}}}},
+      {"materials", std::move(materials)}};
   document["animations"] = json::array({animation_of(rig, frames, timeline, buffer)});
   document["accessors"] = std::move(buffer.accessors);
   document["bufferViews"] = std::move(buffer.views);

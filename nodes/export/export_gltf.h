@@ -12,18 +12,18 @@ struct ExportGltfOptions {
 };
 
 // Writes a rig and its animation as a binary glTF 2.0 file (.glb): one mesh with a morph target per shape, in the rig's
-// order (a shape that moves nothing is there too, so that indices are those of arkit.h), named in extras.targetNames, and
-// one animation that sets all weights at every frame. Metres, y up. Parts that are not visible are left out.
+// order (a shape that moves nothing is there too, so that indices are those of arkit.h), named in extras.targetNames,
+// and one animation that sets all weights at every frame. Metres, y up. Parts that are not visible are left out.
 //
-// A viewer of glTF has one texture coordinate per vertex, so vertices on seams are copied behind the V of the rig; all parts
-// share one set of vertices. mesh.extras.facegraph brings a rig back:
+// A viewer of glTF has one texture coordinate per vertex, so vertices on seams are copied behind the V of the rig; all
+// parts share one set of vertices. mesh.extras.facegraph brings a rig back:
 //   {"version": 1, "vertex_count": V, "copies": [vertex that each further one copies],
 //    "parts": [{"name", "gloss"}], one per primitive,
 //    "inner_lips": [[upper, lower]], "lower_lip": [...], "upper_teeth": [...], "landmarks68": [...], "missing": [...]}
 //
-// frames: one list of weights per element of the timeline, none longer than the rig's shapes; a shorter one leaves the rest 0.
-// Memory: the file itself; frames are read one by one.
+// frames: one list of weights per element of the timeline, none longer than the rig's shapes; a shorter one leaves the
+// rest 0. Memory: the file itself; frames are read one by one.
 engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
-                        const ExportGltfOptions& options = {});
+                         const ExportGltfOptions& options = {});
 
 }  // namespace face::exports

@@ -9,9 +9,10 @@ using namespace engine::declare;
 using namespace face::exports;
 
 NODE("export.gltf", &export_gltf, version{1},
-     doc{"Writes a rig and its animation as binary glTF: a morph target per blend shape, in the rig's order, with names."},
-     input{"rig", "Head and its blend shapes"},
-     input{"frames", "Blend-shape weights of every frame"},
+     doc{"Writes a rig and its animation as binary glTF: a morph target per blend shape, in the rig's order, with "
+         "names."},
+     input{"rig", "Head and its blend shapes"}, input{"frames", "Blend-shape weights of every frame"},
      input{"timeline", "When every frame is shown"},
-     param("morph_normals", &ExportGltfOptions::morph_normals, "Shapes move the normals too: a larger file, right shading"),
+     param("morph_normals", &ExportGltfOptions::morph_normals,
+           "Shapes move the normals too: a larger file, right shading"),
      output("file", "The .glb file"));

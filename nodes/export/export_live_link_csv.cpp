@@ -15,9 +15,9 @@
 namespace face::exports {
 namespace {
 
-constexpr std::array<std::string_view, 9> angle_names = {"HeadYaw",      "HeadPitch",    "HeadRoll",
-                                                         "LeftEyeYaw",   "LeftEyePitch", "LeftEyeRoll",
-                                                         "RightEyeYaw",  "RightEyePitch", "RightEyeRoll"};
+constexpr std::array<std::string_view, 9> angle_names = {"HeadYaw",     "HeadPitch",     "HeadRoll",
+                                                         "LeftEyeYaw",  "LeftEyePitch",  "LeftEyeRoll",
+                                                         "RightEyeYaw", "RightEyePitch", "RightEyeRoll"};
 
 std::string header() {
   std::string line = "Timecode,BlendShapeCount";
@@ -53,7 +53,7 @@ void append_timecode(std::string& out, double time_s, int rate_hz) {
 }  // namespace
 
 engine::File export_live_link_csv(const engine::Seq<Weights>& frames, const Timeline& timeline,
-                                 const ExportLiveLinkCsvOptions& options) {
+                                  const ExportLiveLinkCsvOptions& options) {
   check_frames(frames.size(), timeline);
   check(options.timecode_rate_hz > 0, "timecode_rate_hz is ", options.timecode_rate_hz, ", expected more than 0");
   std::string text = header();
@@ -63,7 +63,8 @@ engine::File export_live_link_csv(const engine::Seq<Weights>& frames, const Time
     text += ",61";
     for (std::size_t s = 0; s < arkit_count; ++s) {
       const float weight = s < weights.values.size() ? weights.values[s] : 0.0f;
-      check(std::isfinite(weight), "weight ", arkit_names[s], " of frame ", frames.id(index), " is not a finite number");
+      check(std::isfinite(weight), "weight ", arkit_names[s], " of frame ", frames.id(index),
+            " is not a finite number");
       text += ',';
       append_fixed(text, weight, 6);
     }

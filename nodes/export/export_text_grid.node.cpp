@@ -6,5 +6,6 @@
 using namespace engine::declare;
 using namespace face::exports;
 
-NODE("export.text_grid", &export_text_grid, version{1}, doc{"Writes an alignment as a TextGrid for Praat: words and phones."},
-     input{"phones", "The alignment"}, output("file", "The .TextGrid file"));
+NODE("export.text_grid", &export_text_grid, version{1},
+     doc{"Writes an alignment as a TextGrid for Praat: words and phones."}, input{"phones", "The alignment"},
+     output("file", "The .TextGrid file"));

@@ -19,11 +19,11 @@ void check_picture(const Image& image, const Image& first, const std::string& id
   const std::size_t expected = static_cast<std::size_t>(std::max(0, image.width)) *
                                static_cast<std::size_t>(std::max(0, image.height)) *
                                static_cast<std::size_t>(image.channels);
-  check(expected > 0 && image.pixels.size() == expected, "frame ", id, " has ", image.pixels.size(), " bytes, expected ",
-        expected, " for ", image.width, " x ", image.height, " x ", image.channels);
+  check(expected > 0 && image.pixels.size() == expected, "frame ", id, " has ", image.pixels.size(),
+        " bytes, expected ", expected, " for ", image.width, " x ", image.height, " x ", image.channels);
   check(image.width == first.width && image.height == first.height && image.channels == first.channels, "frame ", id,
-        " is ", image.width, " x ", image.height, " x ", image.channels, ", but frame ", first_id, " is ", first.width, " x ",
-        first.height, " x ", first.channels);
+        " is ", image.width, " x ", image.height, " x ", image.channels, ", but frame ", first_id, " is ", first.width,
+        " x ", first.height, " x ", first.channels);
 }
 
 // The sound of [0, duration_s], neither more nor less.
@@ -37,7 +37,7 @@ std::vector<float> fitted(const Audio& audio, double duration_s) {
 }  // namespace
 
 engine::File export_video(const engine::Seq<Image>& frames, const Timeline& timeline, const Audio* audio,
-                         const ExportVideoOptions& options, engine::Progress& progress) {
+                          const ExportVideoOptions& options, engine::Progress& progress) {
   check_frames(frames.size(), timeline);
   const auto count = static_cast<double>(frames.size());
   Mp4Writer::Settings settings;
@@ -52,7 +52,8 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
     sound = fitted(*audio, timeline.duration_s);
     if (std::abs(audio->duration_s() - timeline.duration_s) > 1.0 / settings.mean_rate_hz)
       progress.warn(message("the sound lasts ", audio->duration_s(), " s and the pictures ", timeline.duration_s,
-                            " s: it was ", audio->duration_s() > timeline.duration_s ? "cut" : "filled up with silence"));
+                            " s: it was ",
+                            audio->duration_s() > timeline.duration_s ? "cut" : "filled up with silence"));
   }
   std::optional<Mp4Writer> writer;
   std::shared_ptr<const Image> first;
@@ -71,8 +72,10 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
     // The first picture also shows before its time, so that there is no gap at the start.
     writer->add_picture(*image, i == 0 ? 0.0 : timeline.time_s[i], end_s);
     if (!sound.empty()) {
-      const std::size_t until = std::min(sound.size(), static_cast<std::size_t>(std::llround(end_s * settings.audio_rate_hz)));
-      if (until > sound_sent) writer->add_sound(sound.data() + sound_sent, static_cast<std::int64_t>(until - sound_sent));
+      const std::size_t until =
+          std::min(sound.size(), static_cast<std::size_t>(std::llround(end_s * settings.audio_rate_hz)));
+      if (until > sound_sent)
+        writer->add_sound(sound.data() + sound_sent, static_cast<std::int64_t>(until - sound_sent));
       sound_sent = std::max(sound_sent, until);
     }
     check(!progress.stop_requested(), "stopped");

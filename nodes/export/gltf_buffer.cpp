@@ -60,7 +60,9 @@ int GltfBuffer::add_accessor(nlohmann::json accessor) {
 
 int GltfBuffer::add_vectors(const std::vector<Vec3f>& values, bool with_bounds) {
   nlohmann::json accessor = {{"bufferView", add_view(values.data(), values.size() * sizeof(Vec3f), Target::vertices)},
-                             {"componentType", float_component}, {"count", values.size()}, {"type", "VEC3"}};
+                             {"componentType", float_component},
+                             {"count", values.size()},
+                             {"type", "VEC3"}};
   if (with_bounds) {
     const auto [low, high] = bounds_of(values, false);
     set_bounds(accessor, low, high);
@@ -70,17 +72,23 @@ int GltfBuffer::add_vectors(const std::vector<Vec3f>& values, bool with_bounds) 
 
 int GltfBuffer::add_vectors(const std::vector<Vec2f>& values) {
   return add_accessor({{"bufferView", add_view(values.data(), values.size() * sizeof(Vec2f), Target::vertices)},
-                       {"componentType", float_component}, {"count", values.size()}, {"type", "VEC2"}});
+                       {"componentType", float_component},
+                       {"count", values.size()},
+                       {"type", "VEC2"}});
 }
 
 int GltfBuffer::add_indices(const std::vector<std::uint32_t>& values) {
   return add_accessor({{"bufferView", add_view(values.data(), values.size() * sizeof(std::uint32_t), Target::indices)},
-                       {"componentType", uint_component}, {"count", values.size()}, {"type", "SCALAR"}});
+                       {"componentType", uint_component},
+                       {"count", values.size()},
+                       {"type", "SCALAR"}});
 }
 
 int GltfBuffer::add_scalars(const std::vector<float>& values, bool with_bounds) {
   nlohmann::json accessor = {{"bufferView", add_view(values.data(), values.size() * sizeof(float), Target::none)},
-                             {"componentType", float_component}, {"count", values.size()}, {"type", "SCALAR"}};
+                             {"componentType", float_component},
+                             {"count", values.size()},
+                             {"type", "SCALAR"}};
   if (with_bounds) {
     accessor["min"] = {*std::min_element(values.begin(), values.end())};
     accessor["max"] = {*std::max_element(values.begin(), values.end())};
@@ -110,8 +118,8 @@ std::string glb_bytes(nlohmann::json document, std::string binary) {
   std::string text = document.dump();
   pad(text, ' ');
   const std::size_t size = 12 + 8 + text.size() + 8 + binary.size();
-  check(size <= std::numeric_limits<std::uint32_t>::max(), "the GLB would have ", size, " bytes, which is more than the ",
-        std::numeric_limits<std::uint32_t>::max(), " that the format can hold");
+  check(size <= std::numeric_limits<std::uint32_t>::max(), "the GLB would have ", size,
+        " bytes, which is more than the ", std::numeric_limits<std::uint32_t>::max(), " that the format can hold");
   std::string out;
   out.reserve(size);
   append_uint(out, glb_magic);

@@ -11,7 +11,8 @@
 
 namespace face::exports {
 
-static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian and written as they lie in memory");
+static_assert(std::endian::native == std::endian::little,
+              "glTF buffers are little-endian and written as they lie in memory");
 
 // Builds the binary chunk of a glTF file with its accessors and buffer views.
 class GltfBuffer {
@@ -24,7 +25,8 @@ class GltfBuffer {
   int add_indices(const std::vector<std::uint32_t>& values);
   int add_scalars(const std::vector<float>& values, bool with_bounds);
   // count vectors that are zero but for some; `vertices` ascending.
-  int add_sparse_vectors(std::size_t count, const std::vector<std::uint32_t>& vertices, const std::vector<Vec3f>& values);
+  int add_sparse_vectors(std::size_t count, const std::vector<std::uint32_t>& vertices,
+                         const std::vector<Vec3f>& values);
 
   std::vector<nlohmann::json> accessors;
   std::vector<nlohmann::json> views;

@@ -74,7 +74,7 @@ struct Mp4Writer::State {
   std::deque<std::int64_t> durations;  // of the pictures that the encoder holds
   std::vector<float> pending;          // sound that does not fill a frame yet
   std::int64_t samples_sent = 0;
-  std::vector<std::uint8_t> even;      // a picture grown to even size
+  std::vector<std::uint8_t> even;  // a picture grown to even size
 
   ~State() {
     sws_freeContext(convert);
@@ -94,12 +94,14 @@ struct Mp4Writer::State {
     require(avformat_alloc_output_context2(&format, nullptr, "mp4", nullptr), "opening the MP4 writer");
     constexpr int buffer_size = 1 << 16;
     auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
-    format->pb = required(avio_alloc_context(buffer, buffer_size, 1, &file, nullptr, &MemoryFile::write, &MemoryFile::seek),
-                          "out of memory");
+    format->pb =
+        required(avio_alloc_context(buffer, buffer_size, 1, &file, nullptr, &MemoryFile::write, &MemoryFile::seek),
+                 "out of memory");
     format->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
   }
 
-  AVCodecContext* open_codec(const AVCodec* codec, AVDictionary** options, void (*set_up)(AVCodecContext&, const Settings&)) {
+  AVCodecContext* open_codec(const AVCodec* codec, AVDictionary** options,
+                             void (*set_up)(AVCodecContext&, const Settings&)) {
     AVCodecContext* context = required(avcodec_alloc_context3(codec), "out of memory");
     (context->codec_type == AVMEDIA_TYPE_VIDEO ? video : audio) = context;
     context->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -141,10 +143,10 @@ struct Mp4Writer::State {
     const AVPixelFormat source = settings.channels == 1   ? AV_PIX_FMT_GRAY8
                                  : settings.channels == 4 ? AV_PIX_FMT_RGBA
                                                           : AV_PIX_FMT_RGB24;
-    convert = required(sws_getContext(video->width, video->height, source, video->width, video->height, video->pix_fmt,
-                                      SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP, nullptr, nullptr,
-                                      nullptr),
-                       "its pictures cannot be converted to YUV");
+    convert = required(
+        sws_getContext(video->width, video->height, source, video->width, video->height, video->pix_fmt,
+                       SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP, nullptr, nullptr, nullptr),
+        "its pictures cannot be converted to YUV");
     const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
     sws_setColorspaceDetails(convert, bt709, 1, bt709, 0, 0, 1 << 16, 1 << 16);
   }
@@ -155,8 +157,8 @@ struct Mp4Writer::State {
     bool supported = codec->supported_samplerates == nullptr;
     for (const int* rate = codec->supported_samplerates; rate != nullptr && *rate != 0; ++rate)
       supported = supported || *rate == settings.audio_rate_hz;
-    check(supported, "the sound has ", settings.audio_rate_hz, " samples per second, which AAC cannot hold (16000, 44100 and ",
-          "48000 are usual)");
+    check(supported, "the sound has ", settings.audio_rate_hz,
+          " samples per second, which AAC cannot hold (16000, 44100 and ", "48000 are usual)");
     open_codec(codec, nullptr, [](AVCodecContext& context, const Settings& s) {
       context.sample_fmt = AV_SAMPLE_FMT_FLTP;
       context.sample_rate = s.audio_rate_hz;

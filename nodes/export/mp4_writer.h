@@ -12,12 +12,12 @@ namespace face::exports {
 class Mp4Writer {
  public:
   struct Settings {
-    int width_px = 0;   // of the pictures that come; the file's are even
+    int width_px = 0;  // of the pictures that come; the file's are even
     int height_px = 0;
     int channels = 3;
     double mean_rate_hz = 25;  // a hint for the encoder
     int quality = 18;
-    int audio_rate_hz = 0;     // 0: no sound
+    int audio_rate_hz = 0;  // 0: no sound
     int audio_kbit_per_s = 96;
   };
   explicit Mp4Writer(const Settings& settings);

@@ -59,9 +59,11 @@ void check_phone_model(const engine::File& file) {
   std::ifstream in(file.path(), std::ios::binary);
   in.read(start.data(), looked_at);
   start.resize(static_cast<std::size_t>(in.gcount()));
-  const bool known = start.starts_with("Trie Language Model") || start.substr(0, 32).find("Darpa") != std::string::npos ||
-                     start.find("\\data\\") != std::string::npos || start.starts_with("\x1F\x8B") || start.starts_with("BZh");
-  check(known, file.name(), ": is not a phone model: expected a language model over phones, as PocketSphinx's binary or ARPA text");
+  const bool known =
+      start.starts_with("Trie Language Model") || start.substr(0, 32).find("Darpa") != std::string::npos ||
+      start.find("\\data\\") != std::string::npos || start.starts_with("\x1F\x8B") || start.starts_with("BZh");
+  check(known, file.name(),
+        ": is not a phone model: expected a language model over phones, as PocketSphinx's binary or ARPA text");
 }
 
 }  // namespace

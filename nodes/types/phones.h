@@ -11,8 +11,8 @@ struct Phone {
   std::string label;
   double start_s = 0;
   double end_s = 0;
-  std::string word;       // the word it belongs to, lower case; empty in silence
-  double score = 0;       // mean log likelihood per frame relative to the best path; 0 where unknown, lower is worse
+  std::string word;  // the word it belongs to, lower case; empty in silence
+  double score = 0;  // mean log likelihood per frame relative to the best path; 0 where unknown, lower is worse
 };
 
 struct Phones {

@@ -28,10 +28,10 @@ struct Rig {
   Mesh neutral;
   std::vector<Shape> shapes;
   std::vector<std::string> missing;
-  std::vector<LipPair> inner_lips;             // about the middle of the mouth, where closure is measured
-  std::vector<std::uint32_t> lower_lip;        // vertices of the lower lip that may touch the upper teeth (labiodentals)
-  std::vector<std::uint32_t> upper_teeth;      // vertices of the upper front teeth
-  std::vector<std::uint32_t> landmarks68;      // Multi-PIE order; may be empty
+  std::vector<LipPair> inner_lips;         // about the middle of the mouth, where closure is measured
+  std::vector<std::uint32_t> lower_lip;    // vertices of the lower lip that may touch the upper teeth (labiodentals)
+  std::vector<std::uint32_t> upper_teeth;  // vertices of the upper front teeth
+  std::vector<std::uint32_t> landmarks68;  // Multi-PIE order; may be empty
 };
 
 }  // namespace face

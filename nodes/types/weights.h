@@ -4,7 +4,8 @@
 
 namespace face {
 
-// Blend-shape weights of one frame, in the order of a rig's shapes (the ARKit-52 first; a shorter list leaves the rest 0).
+// Blend-shape weights of one frame, in the order of a rig's shapes (the ARKit-52 first; a shorter list leaves the rest
+// 0).
 struct Weights {
   std::vector<float> values;
 };

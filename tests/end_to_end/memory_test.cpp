@@ -41,9 +41,9 @@ constexpr double bar_mb = 600;
 
 TEST_P(MemoryBudget, HoldsForThreeGigabytesOfValues) {
   const test::TemporaryFolder folder;
-  const Ended ended = run_command({FACEGRAPH_COMMAND, "run", std::string(FACEGRAPH_SOURCE_DIR) + "/graphs/toy/" + GetParam(),
-                                   "--memory", "500MB", "--quiet", "--store", (folder.path() / "store").string(), "--out",
-                                   (folder.path() / "out").string()});
+  const Ended ended = run_command(
+      {FACEGRAPH_COMMAND, "run", std::string(FACEGRAPH_SOURCE_DIR) + "/graphs/toy/" + GetParam(), "--memory", "500MB",
+       "--quiet", "--store", (folder.path() / "store").string(), "--out", (folder.path() / "out").string()});
   EXPECT_EQ(ended.code, 0);
   EXPECT_LE(ended.peak_mb, bar_mb);
   EXPECT_EQ(test::read_file(folder.path() / "out/bytes.txt"), "6000000000");

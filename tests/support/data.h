@@ -17,7 +17,7 @@ inline std::filesystem::path data_folder() {
 }  // namespace test
 
 // Skips the test, saying why, where a file of the real material is absent; else the variable holds its path.
-#define DATA_FILE(variable, relative)                                                          \
-  const std::string variable = (test::data_folder() / (relative)).string();                    \
-  if (!std::filesystem::exists(variable))                                                      \
+#define DATA_FILE(variable, relative)                                       \
+  const std::string variable = (test::data_folder() / (relative)).string(); \
+  if (!std::filesystem::exists(variable))                                   \
   GTEST_SKIP() << "needs " << (relative) << " of the real material (set FACEGRAPH_DATA to its folder)"

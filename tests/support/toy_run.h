@@ -60,9 +60,11 @@ class ToyRun : public ::testing::Test {
   }
 
   // Nodes and outputs, as JSON inside the braces of a graph; the folder "frames" is ${folder}.
-  engine::Graph graph(const std::string& nodes, const std::string& outputs, const std::vector<engine::Setting>& settings = {}) {
-    write("graph.json", "{\"facegraph\": 1, \"params\": {\"folder\": {\"type\": \"path\", \"default\": \"frames\"}},\n\"nodes\": {" + nodes +
-                            "},\n\"outputs\": {" + outputs + "}}");
+  engine::Graph graph(const std::string& nodes, const std::string& outputs,
+                      const std::vector<engine::Setting>& settings = {}) {
+    write("graph.json",
+          "{\"facegraph\": 1, \"params\": {\"folder\": {\"type\": \"path\", \"default\": \"frames\"}},\n\"nodes\": {" +
+              nodes + "},\n\"outputs\": {" + outputs + "}}");
     return read((folder() / "graph.json").string(), settings);
   }
   engine::Graph read(const std::string& path, const std::vector<engine::Setting>& settings = {}) {

@@ -75,14 +75,13 @@ TEST_F(Validation, FlagsAreThoseOfTheirOwnSequence) {
 }
 
 TEST_F(Validation, MapsOverTheDeepestInputAndBroadcastsTheOthers) {
-  ASSERT_EQ(
-      problems(
-          R"("sizes": {"node": "toy.length", "inputs": {"text": "deep"}},
+  ASSERT_EQ(problems(
+                R"("sizes": {"node": "toy.length", "inputs": {"text": "deep"}},
     "size": {"node": "toy.length", "inputs": {"text": "text"}},
     "sum": {"node": "toy.add", "inputs": {"a": "size", "b": "sizes"}},
     "total": {"node": "toy.running_sum", "inputs": {"value": "sum"}},
     "mean": {"node": "toy.window_mean", "inputs": {"values": "total[3]"}})"),
-      "");
+            "");
   EXPECT_EQ(node("sum").mapped_depth, 2);
   EXPECT_EQ(node("sum").input_depth, (std::vector<int>{0, 2}));
   EXPECT_EQ(node("total").output_depth[0], 2);

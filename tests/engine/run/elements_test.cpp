@@ -27,7 +27,8 @@ TEST_F(ElementReruns, EditingOneFileOf250RunsFourTasks) {
 
 TEST_F(ElementReruns, WorkStopsWhereResultsDoNotChange) {
   write_frames(5);
-  const auto g = graph(std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})", R"("all.txt": "all")");
+  const auto g = graph(std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})",
+                       R"("all.txt": "all")");
   run(g);
   write("frames/3.txt", "FRAME 3");  // other bytes, the same in upper case
   const engine::RunResult result = run(g);
@@ -36,7 +37,8 @@ TEST_F(ElementReruns, WorkStopsWhereResultsDoNotChange) {
 
 TEST_F(ElementReruns, AppendingAnElementRunsNoOldTask) {
   write_frames(20);
-  const std::string nodes = std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})";
+  const std::string nodes =
+      std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})";
   run(graph(nodes, R"("all.txt": "all")"));
   write("frames/21.txt", "frame 21");
   EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).tasks.run, 4u);
@@ -44,7 +46,8 @@ TEST_F(ElementReruns, AppendingAnElementRunsNoOldTask) {
 
 TEST_F(ElementReruns, RemovingAnElementRunsTheGatherAlone) {
   write_frames(20);
-  const std::string nodes = std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})";
+  const std::string nodes =
+      std::string(texts) + R"(, "all": {"node": "toy.join_texts", "inputs": {"texts": "checked"}})";
   run(graph(nodes, R"("all.txt": "all")"));
   std::filesystem::remove(folder() / "frames/7.txt");
   EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).tasks.run, 1u);
@@ -71,7 +74,8 @@ TEST_F(ElementReruns, AWindowOfTwoAtEachSideRerunsFiveWindows) {
 
 TEST_F(ElementReruns, ARecurrenceRunsFromTheEditUntilResultsAgreeAgain) {
   write_frames(9);
-  const std::string nodes = std::string(texts) + R"(, "sums": {"node": "toy.running_sum", "inputs": {"value": "lengths"}},
+  const std::string nodes =
+      std::string(texts) + R"(, "sums": {"node": "toy.running_sum", "inputs": {"value": "lengths"}},
 "shown": {"node": "toy.number_text", "inputs": {"number": "sums"}},
 "all": {"node": "toy.join_texts", "inputs": {"texts": "shown"}})";
   run(graph(nodes, R"("all.txt": "all")"));
@@ -94,11 +98,13 @@ TEST_F(ElementReruns, AnOverrideRerunsItsElementAndTheGather) {
   const auto nodes = [&](const std::string& overrides) {
     return R"("files": {"node": "files.list", "inputs": {"folder": "${folder}"}},
 "texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
-"loud": {"node": "toy.upper", "inputs": {"text": "texts"})" + overrides + R"(},
+"loud": {"node": "toy.upper", "inputs": {"text": "texts"})" +
+           overrides + R"(},
 "all": {"node": "toy.join_texts", "inputs": {"texts": "loud"}})";
   };
   run(graph(nodes(""), R"("all.txt": "all")"));
-  const engine::RunResult result = run(graph(nodes(R"(, "overrides": {"4-5": {"mode": "title"}})"), R"("all.txt": "all")"));
+  const engine::RunResult result =
+      run(graph(nodes(R"(, "overrides": {"4-5": {"mode": "title"}})"), R"("all.txt": "all")"));
   EXPECT_EQ(result.tasks.run, 3u);
   EXPECT_NE(out("all.txt").find("FRAME 3\nFrame 4\nFrame 5\nFRAME 6"), std::string::npos);
 }
@@ -144,11 +150,14 @@ TEST_F(ElementReruns, UnequalIdsNameBothPortsAndTheFirstOddId) {
 "b_texts": {"node": "toy.read_text", "inputs": {"file": "b"}},
 "pairs": {"node": "toy.pair", "inputs": {"left": "a_texts", "right": "b_texts"}},
 "all": {"node": "toy.join_texts", "inputs": {"texts": "pairs"}})";
-  EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).failures,
-            std::vector<std::string>{"pairs: inputs 'left' and 'right' have different ids: at position 2 the first has '3', the second '4'"});
+  EXPECT_EQ(
+      run(graph(nodes, R"("all.txt": "all")")).failures,
+      std::vector<std::string>{
+          "pairs: inputs 'left' and 'right' have different ids: at position 2 the first has '3', the second '4'"});
   std::filesystem::remove(folder() / "others/4.txt");
   EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).failures,
-            std::vector<std::string>{"pairs: inputs 'left' and 'right' have different ids: '3' is only in the first (3 and 2 elements)"});
+            std::vector<std::string>{
+                "pairs: inputs 'left' and 'right' have different ids: '3' is only in the first (3 and 2 elements)"});
 }
 
 TEST_F(ElementReruns, FilesAreOrderedByNumberAndRefusedWhereTwoGiveOneId) {

@@ -6,15 +6,16 @@
 
 namespace {
 
-// numbers (cheap) -> more (gathered below) and, beside it, a subgraph: files -> texts -> sub/loud -> sub/all -> lengths -> twice.
+// numbers (cheap) -> more (gathered below) and, beside it, a subgraph: files -> texts -> sub/loud -> sub/all -> lengths
+// -> twice.
 class Mutation : public test::ToyRun {
  protected:
   Mutation() { use("base"); }
 
   // The variant of the plugin "vary" that runs from now on.
   void use(const std::string& variant) {
-    vary_ = std::make_unique<engine::Plugins>(
-        std::vector<std::string>{FACEGRAPH_PLUGIN_DIR, std::string(FACEGRAPH_PLUGIN_DIR) + "/../../../tests/plugins/" + variant});
+    vary_ = std::make_unique<engine::Plugins>(std::vector<std::string>{
+        FACEGRAPH_PLUGIN_DIR, std::string(FACEGRAPH_PLUGIN_DIR) + "/../../../tests/plugins/" + variant});
     ASSERT_NE(vary_->find("vary.twice"), nullptr);
   }
 
@@ -31,7 +32,8 @@ class Mutation : public test::ToyRun {
   engine::RunResult run_it(engine::RunOptions options = {}, const std::string& path = "graph.json") {
     options.out_folder = (folder() / "out").string();
     options.observer = [&](const engine::RunEvent& event) {
-      if (event.kind == engine::RunEvent::Kind::finished) ran_.push_back(event.element.empty() ? event.node : event.node + "[" + event.element + "]");
+      if (event.kind == engine::RunEvent::Kind::finished)
+        ran_.push_back(event.element.empty() ? event.node : event.node + "[" + event.element + "]");
     };
     ran_.clear();
     const engine::RunResult result = engine::run_graph(read_it(path), *vary_, *store_, options);
@@ -93,14 +95,16 @@ class Mutation : public test::ToyRun {
   std::vector<std::string> ran_;
 };
 
-// --- what reruns exactly what it affects -----------------------------------------------------------------------------------
+// --- what reruns exactly what it affects
+// -----------------------------------------------------------------------------------
 
 TEST_F(Mutation, AParameterRerunsItsNodeAndWhatChanges) {
   run_it();
   edit(R"("seed": 1)", R"("seed": 2)");
   EXPECT_EQ(cause(), "dice[1]: parameter seed: 1 -> 2");
   run_it();
-  EXPECT_EQ(ran_, (Names{"dice[1]", "dice[2]", "dice[3]", "dice[4]", "dice[5]", "dice[6]", "end", "luck", "shown", "tail", "three", "twice"}));
+  EXPECT_EQ(ran_, (Names{"dice[1]", "dice[2]", "dice[3]", "dice[4]", "dice[5]", "dice[6]", "end", "luck", "shown",
+                         "tail", "three", "twice"}));
 }
 
 TEST_F(Mutation, AByteOfAnInputFarUpstreamThroughSubgraphAndGather) {
@@ -108,7 +112,8 @@ TEST_F(Mutation, AByteOfAnInputFarUpstreamThroughSubgraphAndGather) {
   write("frames/4.txt", "frame 4 is longer");
   EXPECT_EQ(cause().substr(0, 15), "texts[4]: file ");
   run_it();
-  EXPECT_EQ(ran_, (Names{"both", "end", "length", "shown", "sub/all", "sub/loud[4]", "tail", "texts[4]", "three", "twice"}));
+  EXPECT_EQ(ran_,
+            (Names{"both", "end", "length", "shown", "sub/all", "sub/loud[4]", "tail", "texts[4]", "three", "twice"}));
 }
 
 TEST_F(Mutation, AByteOfAFileParameter) {
@@ -151,7 +156,8 @@ TEST_F(Mutation, ANodeVersionRerunsItsTasks) {
   EXPECT_EQ(ran_, Names{"twice"});
 }
 
-// --- what reruns nothing ---------------------------------------------------------------------------------------------------
+// --- what reruns nothing
+// ---------------------------------------------------------------------------------------------------
 
 TEST_F(Mutation, CommentsInAPluginRerunNothing) {
   run_it();

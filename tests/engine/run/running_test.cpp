@@ -20,7 +20,8 @@ TEST_F(Running, AFailingElementDoesNotStopTheOthers) {
   EXPECT_EQ(result.tasks.failed, 1u);
   EXPECT_EQ(result.tasks.blocked, 3u);  // loud[3], each[3], all
   ASSERT_EQ(result.failures.size(), 1u);
-  EXPECT_EQ(result.failures[0].substr(0, result.failures[0].find(" [key")), "checked[3] (toy.fail): the text contains 'bad'");
+  EXPECT_EQ(result.failures[0].substr(0, result.failures[0].find(" [key")),
+            "checked[3] (toy.fail): the text contains 'bad'");
   EXPECT_EQ(out("each/4.txt"), "FRAME 4");
   EXPECT_FALSE(std::filesystem::exists(folder() / "out/all.txt"));
 }
@@ -131,6 +132,9 @@ TEST_F(Running, PartOfTheElementsCanBeTried) {
   options.elements = {"1-3", "7"};
   const engine::RunResult result = run(graph(chain, R"("all.txt": "all")"), options);
   EXPECT_EQ(result.tasks.run, 4u * 3);
+  options.elements = {"900-901"};
+  EXPECT_EQ(run(graph(chain, R"("all.txt": "all")"), options).failures,
+            std::vector<std::string>{"loud: it has none of the elements asked for"});
 }
 
 TEST_F(Running, OneElementBehindARecurrenceNeedsTheElementsBeforeIt) {
@@ -141,7 +145,8 @@ TEST_F(Running, OneElementBehindARecurrenceNeedsTheElementsBeforeIt) {
 "sums": {"node": "toy.running_sum", "inputs": {"value": "lengths"}},
 "both": {"node": "toy.add", "inputs": {"a": "lengths", "b": "sums"}},
 "shown": {"node": "toy.number_text", "inputs": {"number": "both"}},
-"all": {"node": "toy.join_texts", "inputs": {"texts": "shown"}})", R"("all.txt": "all")");
+"all": {"node": "toy.join_texts", "inputs": {"texts": "shown"}})",
+                       R"("all.txt": "all")");
   const engine::GotValue got = engine::get_value(g, plugins_, *store_, {"shown", "", {"7"}}, {});
   EXPECT_EQ(got.value.as<std::string>(), "56");  // 7 + 7 * 7
 }
@@ -185,11 +190,13 @@ TEST_F(Running, ExplainNamesTheLeafCause) {
   ASSERT_EQ(explained.size(), 1u);
   ASSERT_EQ(explained[0].causes.size(), 1u);
   EXPECT_EQ(explained[0].causes[0].task, "texts[3]");
-  EXPECT_EQ(explained[0].causes[0].what.substr(0, explained[0].causes[0].what.find(" changed")), "file " + (folder() / "frames/3.txt").string());
+  EXPECT_EQ(explained[0].causes[0].what.substr(0, explained[0].causes[0].what.find(" changed")),
+            "file " + (folder() / "frames/3.txt").string());
   EXPECT_EQ(explained[0].causes[0].path, (std::vector<std::string>{"texts[3]", "checked[3]", "loud[3]", "all"}));
 
   run(graph(chain, R"("all.txt": "all")"));
-  explained = engine::explain_node(graph(chain, R"("all.txt": "all")", {{"loud.mode", "title"}}), plugins_, *store_, "all", "");
+  explained =
+      engine::explain_node(graph(chain, R"("all.txt": "all")", {{"loud.mode", "title"}}), plugins_, *store_, "all", "");
   ASSERT_EQ(explained[0].causes.size(), 1u);
   EXPECT_EQ(explained[0].causes[0].others, 3u);
   EXPECT_EQ(explained[0].causes[0].task, "loud[1]");

@@ -49,7 +49,8 @@ TEST_F(Scheduling, AStoppedNodesHalfResultIsNotKept) {
   };
   options.stop_requested = [&] { return begun.load(); };
   EXPECT_TRUE(run(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "60"}}), options).cancelled);
-  const engine::Plan plan = engine::plan_graph(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "60"}}), plugins_, *store_);
+  const engine::Plan plan =
+      engine::plan_graph(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "60"}}), plugins_, *store_);
   EXPECT_EQ(plan.cached, 1u);
   EXPECT_EQ(plan.runs, 1u);
 }
@@ -100,7 +101,8 @@ TEST_F(Scheduling, AFileThatChangesWhileItIsReadFailsItsTask) {
   const engine::RunResult result = run(graph(nodes, R"("all.txt": "all")"), options);
   ASSERT_EQ(result.failures.size(), 1u);
   EXPECT_EQ(result.failures[0].substr(0, result.failures[0].find(" [key")),
-            "texts[1] (toy.slow_read): file " + (folder() / "frames/1.txt").string() + " changed while it was read: run again");
+            "texts[1] (toy.slow_read): file " + (folder() / "frames/1.txt").string() +
+                " changed while it was read: run again");
   EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).failures, std::vector<std::string>{});
   EXPECT_EQ(out("all.txt"), std::string(100, 'b'));
 }
@@ -110,10 +112,12 @@ TEST_F(Scheduling, AnObserverThatThrowsEndsTheRunAndNotTheProcess) {
   engine::RunOptions options;
   options.threads = 3;
   options.observer = [](const engine::RunEvent& event) {
-    if (event.kind == engine::RunEvent::Kind::finished && event.element == "7") throw std::runtime_error("no more room");
+    if (event.kind == engine::RunEvent::Kind::finished && event.element == "7")
+      throw std::runtime_error("no more room");
   };
   EXPECT_THROW(run(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "0.001"}}), options), std::exception);
-  EXPECT_EQ(run(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "0.001"}})).failures, std::vector<std::string>{});
+  EXPECT_EQ(run(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "0.001"}})).failures,
+            std::vector<std::string>{});
 }
 
 TEST_F(Scheduling, AManyFiledFolderCostsLittleMoreThanAFewFiledOne) {
@@ -163,7 +167,9 @@ TEST_F(Scheduling, AnAuditRunsASampleAgainAndNamesWhatDiffers) {
   ASSERT_EQ(result.differing.size(), 40u);
   for (const std::string& text : result.differing) {
     EXPECT_TRUE(text.starts_with("odd[")) << text;
-    EXPECT_NE(text.find("(toy.unsteady): run again, it gave another result than before: it is not deterministic"), std::string::npos) << text;
+    EXPECT_NE(text.find("(toy.unsteady): run again, it gave another result than before: it is not deterministic"),
+              std::string::npos)
+        << text;
   }
 }
 

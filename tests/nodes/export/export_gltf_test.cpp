@@ -38,8 +38,9 @@ tinygltf::Model parsed(const engine::File& file) {
   tinygltf::Model model;
   std::string error, warning;
   const std::string& bytes = file.bytes();
-  const bool read = reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                                static_cast<unsigned int>(bytes.size()));
+  const bool read =
+      reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                  static_cast<unsigned int>(bytes.size()));
   EXPECT_TRUE(read) << error;
   EXPECT_EQ(warning, "");
   return model;
@@ -48,7 +49,8 @@ tinygltf::Model parsed(const engine::File& file) {
 // Floats of an accessor, with its sparse elements put in.
 std::vector<float> values_of(const tinygltf::Model& model, int index) {
   const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(index));
-  const auto width = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  const auto width =
+      static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
   std::vector<float> values(accessor.count * width, 0.0f);
   const auto place = [&](int view) {
     const tinygltf::BufferView& v = model.bufferViews.at(static_cast<std::size_t>(view));
@@ -166,12 +168,14 @@ TEST(ExportGltf, BringsTheEmbeddedHeadBackWithItsMarks) {
   for (std::size_t v = 0; v < before.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_NEAR(after[v][axis], before[v][axis], 1e-3) << "vertex " << v;
   ASSERT_EQ(back.neutral.parts.size(), rig.neutral.parts.size());
-  for (std::size_t p = 0; p < rig.neutral.parts.size(); ++p) EXPECT_EQ(back.neutral.parts[p].name, rig.neutral.parts[p].name);
+  for (std::size_t p = 0; p < rig.neutral.parts.size(); ++p)
+    EXPECT_EQ(back.neutral.parts[p].name, rig.neutral.parts[p].name);
 }
 
 TEST(ExportGltf, GivesTheSameBytesTwice) {
   const Rig rig = test::square_rig();
-  EXPECT_EQ(export_gltf(rig, three_frames(), at_60_hz(3)).bytes(), export_gltf(rig, three_frames(), at_60_hz(3)).bytes());
+  EXPECT_EQ(export_gltf(rig, three_frames(), at_60_hz(3)).bytes(),
+            export_gltf(rig, three_frames(), at_60_hz(3)).bytes());
 }
 
 TEST(ExportGltf, RejectsWhatDoesNotFitTogether) {
@@ -180,7 +184,8 @@ TEST(ExportGltf, RejectsWhatDoesNotFitTogether) {
   EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), at_60_hz(2)), "there are 3 frames, but the timeline has 2 times");
   Timeline backwards = at_60_hz(3);
   backwards.time_s = {0, 0.5, 0.25};
-  EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), backwards), "frame 2 of the timeline is at 0.25 s, expected more than 0.5 s");
+  EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), backwards),
+                    "frame 2 of the timeline is at 0.25 s, expected more than 0.5 s");
   Timeline short_one = at_60_hz(3);
   short_one.duration_s = 0.01;
   EXPECT_THROW_TEXT(export_gltf(rig, three_frames(), short_one),

@@ -10,8 +10,12 @@ namespace face::exports {
 namespace {
 
 Phones john() {
-  return {{{"SIL", 0, 0.5, "", 0}, {"JH", 0.5, 0.6, "john", -0.1}, {"AA", 0.6, 0.8, "john", -0.2}, {"N", 0.8, 0.9, "john", 0}},
-          0.9, true};
+  return {{{"SIL", 0, 0.5, "", 0},
+           {"JH", 0.5, 0.6, "john", -0.1},
+           {"AA", 0.6, 0.8, "john", -0.2},
+           {"N", 0.8, 0.9, "john", 0}},
+          0.9,
+          true};
 }
 
 TEST(ExportPhonesJson, ComesBackAsItWas) {

@@ -16,7 +16,8 @@ namespace {
 Image noise(int width, int height, int channels) {
   Image image{width, height, channels, {}};
   Random random(3);
-  for (int i = 0; i < width * height * channels; ++i) image.pixels.push_back(static_cast<std::uint8_t>(random.bits() & 255));
+  for (int i = 0; i < width * height * channels; ++i)
+    image.pixels.push_back(static_cast<std::uint8_t>(random.bits() & 255));
   return image;
 }
 
@@ -41,11 +42,14 @@ TEST(ExportPng, KeepsEveryPixel) {
   }
 }
 
-TEST(ExportPng, GivesTheSameBytesTwice) { EXPECT_EQ(export_png(noise(40, 30, 3)).bytes(), export_png(noise(40, 30, 3)).bytes()); }
+TEST(ExportPng, GivesTheSameBytesTwice) {
+  EXPECT_EQ(export_png(noise(40, 30, 3)).bytes(), export_png(noise(40, 30, 3)).bytes());
+}
 
 TEST(ExportPng, RejectsWhatIsNoImage) {
   EXPECT_THROW_TEXT(export_png(Image{}), "the image is 0 x 0 pixels, expected at least 1 x 1");
-  EXPECT_THROW_TEXT(export_png(Image{2, 2, 2, std::vector<std::uint8_t>(8)}), "the image has 2 channels, expected 1, 3 or 4");
+  EXPECT_THROW_TEXT(export_png(Image{2, 2, 2, std::vector<std::uint8_t>(8)}),
+                    "the image has 2 channels, expected 1, 3 or 4");
   EXPECT_THROW_TEXT(export_png(Image{2, 2, 3, std::vector<std::uint8_t>(11)}),
                     "the image has 11 bytes, expected 12 for 2 x 2 x 3");
 }

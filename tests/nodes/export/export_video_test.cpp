@@ -28,8 +28,9 @@ class Warnings final : public engine::Progress {
 
 // A grey picture whose brightness tells its number.
 Image picture(int number, int width = 64, int height = 48) {
-  return {width, height, 3, std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 3),
-                                                      static_cast<std::uint8_t>(20 + number * 2))};
+  return {width, height, 3,
+          std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 3),
+                                    static_cast<std::uint8_t>(20 + number * 2))};
 }
 
 engine::Seq<Image> pictures(int count, int width = 64, int height = 48) {
@@ -55,8 +56,8 @@ Audio tone(double duration_s, double rate_hz = 16000) {
 // What a player finds in the file.
 struct Found {
   int width = 0, height = 0;
-  std::vector<double> times_s;    // of pictures
-  std::vector<int> brightness;    // of their middle
+  std::vector<double> times_s;         // of pictures
+  std::vector<int> brightness;         // of their middle
   std::array<int, 3> yuv = {0, 0, 0};  // of the last one's middle
   double video_s = 0, audio_s = 0;
   std::int64_t audio_samples = 0;
@@ -65,7 +66,8 @@ struct Found {
 Found read_back(const std::string& bytes) {
   Found found;
   const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".mp4");
+      std::filesystem::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".mp4");
   std::ofstream(path, std::ios::binary) << bytes;
   AVFormatContext* format = nullptr;
   EXPECT_EQ(avformat_open_input(&format, path.c_str(), nullptr, nullptr), 0);
@@ -125,7 +127,8 @@ TEST(ExportVideo, ShowsEveryPictureAtItsTime) {
   ASSERT_EQ(found.times_s.size(), 50u);
   for (std::size_t i = 0; i < 50; ++i) EXPECT_NEAR(found.times_s[i], static_cast<double>(i) / 25, 1e-4);
   // 8-bit grey g is 16 + g * 219 / 255 in the video's range; the encoder may lose two steps.
-  for (std::size_t i = 0; i < 50; ++i) EXPECT_NEAR(found.brightness[i], 16 + (20 + 2.0 * static_cast<double>(i)) * 219 / 255, 2);
+  for (std::size_t i = 0; i < 50; ++i)
+    EXPECT_NEAR(found.brightness[i], 16 + (20 + 2.0 * static_cast<double>(i)) * 219 / 255, 2);
   EXPECT_NEAR(found.video_s, 2, 1e-3);
 }
 
@@ -150,8 +153,9 @@ TEST(ExportVideo, CutsOrFillsUpSoundOfAnotherLengthAndSaysSo) {
     const Found found = read_back(export_video(pictures(50), regular(50, 25), &audio, {}, progress).bytes());
     EXPECT_NEAR(found.audio_s, 2, 0.04);
     ASSERT_EQ(progress.texts.size(), 1u);
-    EXPECT_EQ(progress.texts[0], sound_s < 2 ? "the sound lasts 0.5 s and the pictures 2 s: it was filled up with silence"
-                                             : "the sound lasts 3 s and the pictures 2 s: it was cut");
+    EXPECT_EQ(progress.texts[0], sound_s < 2
+                                     ? "the sound lasts 0.5 s and the pictures 2 s: it was filled up with silence"
+                                     : "the sound lasts 3 s and the pictures 2 s: it was cut");
   }
 }
 
@@ -187,7 +191,8 @@ TEST(ExportVideo, GrowsOddSizesToEvenOnes) {
 
 TEST(ExportVideo, GivesTheSameBytesTwice) {
   const Audio audio = tone(1);
-  EXPECT_EQ(written(pictures(25), regular(25, 25), &audio).bytes(), written(pictures(25), regular(25, 25), &audio).bytes());
+  EXPECT_EQ(written(pictures(25), regular(25, 25), &audio).bytes(),
+            written(pictures(25), regular(25, 25), &audio).bytes());
 }
 
 TEST(ExportVideo, WritesASinglePicture) {

@@ -48,16 +48,17 @@ TEST(ExportLiveLinkCsv, HasTheColumnsOfLiveLinkFace) {
   EXPECT_EQ(file.suffix(), ".csv");
   const std::vector<std::string> lines = lines_of(file);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0],
-            "Timecode,BlendShapeCount,EyeBlinkLeft,EyeLookDownLeft,EyeLookInLeft,EyeLookOutLeft,EyeLookUpLeft,EyeSquintLeft,"
-            "EyeWideLeft,EyeBlinkRight,EyeLookDownRight,EyeLookInRight,EyeLookOutRight,EyeLookUpRight,EyeSquintRight,"
-            "EyeWideRight,JawForward,JawRight,JawLeft,JawOpen,MouthClose,MouthFunnel,MouthPucker,MouthRight,MouthLeft,"
-            "MouthSmileLeft,MouthSmileRight,MouthFrownLeft,MouthFrownRight,MouthDimpleLeft,MouthDimpleRight,"
-            "MouthStretchLeft,MouthStretchRight,MouthRollLower,MouthRollUpper,MouthShrugLower,MouthShrugUpper,"
-            "MouthPressLeft,MouthPressRight,MouthLowerDownLeft,MouthLowerDownRight,MouthUpperUpLeft,MouthUpperUpRight,"
-            "BrowDownLeft,BrowDownRight,BrowInnerUp,BrowOuterUpLeft,BrowOuterUpRight,CheekPuff,CheekSquintLeft,"
-            "CheekSquintRight,NoseSneerLeft,NoseSneerRight,TongueOut,HeadYaw,HeadPitch,HeadRoll,LeftEyeYaw,LeftEyePitch,"
-            "LeftEyeRoll,RightEyeYaw,RightEyePitch,RightEyeRoll");
+  EXPECT_EQ(
+      lines[0],
+      "Timecode,BlendShapeCount,EyeBlinkLeft,EyeLookDownLeft,EyeLookInLeft,EyeLookOutLeft,EyeLookUpLeft,EyeSquintLeft,"
+      "EyeWideLeft,EyeBlinkRight,EyeLookDownRight,EyeLookInRight,EyeLookOutRight,EyeLookUpRight,EyeSquintRight,"
+      "EyeWideRight,JawForward,JawRight,JawLeft,JawOpen,MouthClose,MouthFunnel,MouthPucker,MouthRight,MouthLeft,"
+      "MouthSmileLeft,MouthSmileRight,MouthFrownLeft,MouthFrownRight,MouthDimpleLeft,MouthDimpleRight,"
+      "MouthStretchLeft,MouthStretchRight,MouthRollLower,MouthRollUpper,MouthShrugLower,MouthShrugUpper,"
+      "MouthPressLeft,MouthPressRight,MouthLowerDownLeft,MouthLowerDownRight,MouthUpperUpLeft,MouthUpperUpRight,"
+      "BrowDownLeft,BrowDownRight,BrowInnerUp,BrowOuterUpLeft,BrowOuterUpRight,CheekPuff,CheekSquintLeft,"
+      "CheekSquintRight,NoseSneerLeft,NoseSneerRight,TongueOut,HeadYaw,HeadPitch,HeadRoll,LeftEyeYaw,LeftEyePitch,"
+      "LeftEyeRoll,RightEyeYaw,RightEyePitch,RightEyeRoll");
   for (const std::string& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 62) << line;
   EXPECT_EQ(lines[1].substr(0, 29), "00:00:00:00.000,61,0.000000,0");
   EXPECT_NE(lines[1].find(",0.750000,"), std::string::npos);
@@ -78,7 +79,8 @@ TEST(ExportLiveLinkCsv, SpellsTimesBetweenFramesInThousandths) {
 TEST(ExportLiveLinkCsv, RejectsWhatCannotBeWritten) {
   EXPECT_THROW_TEXT(export_live_link_csv({}, {}), "there are no frames to export");
   const engine::Seq<Weights> odd({Weights{{0, INFINITY}}}, {"17"});
-  EXPECT_THROW_TEXT(export_live_link_csv(odd, Timeline{{0}, 1}), "weight eyeLookDownLeft of frame 17 is not a finite number");
+  EXPECT_THROW_TEXT(export_live_link_csv(odd, Timeline{{0}, 1}),
+                    "weight eyeLookDownLeft of frame 17 is not a finite number");
 }
 
 TEST(AppendFixed, WritesAPointWhateverTheLocale) {

@@ -18,7 +18,5 @@ const int crashed = crash();
 }  // namespace
 
 using namespace engine::declare;
-NODE("crashing_initialiser.half", &half, version{1},
-     doc{"Halves a number."},
-     input{"number", "A number"},
+NODE("crashing_initialiser.half", &half, version{1}, doc{"Halves a number."}, input{"number", "A number"},
      output("half", "Half of it"));

@@ -9,7 +9,5 @@ double half(const double& number) { return gone(number) / 2; }
 }  // namespace
 
 using namespace engine::declare;
-NODE("missing_dependency.half", &half, version{1},
-     doc{"Halves a number."},
-     input{"number", "A number"},
+NODE("missing_dependency.half", &half, version{1}, doc{"Halves a number."}, input{"number", "A number"},
      output("half", "Half of it"));

@@ -11,7 +11,5 @@ double half(const double& number) { return nowhere::halve(number); }
 }  // namespace
 
 using namespace engine::declare;
-NODE("missing_symbol.half", &half, version{1},
-     doc{"Halves a number."},
-     input{"number", "A number"},
+NODE("missing_symbol.half", &half, version{1}, doc{"Halves a number."}, input{"number", "A number"},
      output("half", "Half of it"));

@@ -8,7 +8,5 @@ tiny::Point lift_point(const double& number) { return {number, 1}; }
 }  // namespace
 
 using namespace engine::declare;
-NODE("other_layout.lift_point", &lift_point, version{1},
-     doc{"Makes a point of a number."},
-     input{"number", "A number"},
+NODE("other_layout.lift_point", &lift_point, version{1}, doc{"Makes a point of a number."}, input{"number", "A number"},
      output("point", "The point"));

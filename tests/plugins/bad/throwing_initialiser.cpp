@@ -14,7 +14,5 @@ const int licence = look_for_a_licence();
 }  // namespace
 
 using namespace engine::declare;
-NODE("throwing_initialiser.half", &half, version{1},
-     doc{"Halves a number."},
-     input{"number", "A number"},
+NODE("throwing_initialiser.half", &half, version{1}, doc{"Halves a number."}, input{"number", "A number"},
      output("half", "Half of it"));

@@ -7,7 +7,5 @@ tiny::Point make_point(const double& number) { return {number}; }
 }  // namespace
 
 using namespace engine::declare;
-NODE("tiny.make_point_000", &make_point, version{1},
-     doc{"Makes a point of a number."},
-     input{"number", "A number"},
+NODE("tiny.make_point_000", &make_point, version{1}, doc{"Makes a point of a number."}, input{"number", "A number"},
      output("point", "The point"));
