@@ -23,7 +23,7 @@ engine::File list_pauses(const face::Phones& phones, const ListPausesOptions& op
 
 using namespace engine::declare;
 NODE("example.list_pauses", &example::list_pauses, version{1},
-     doc{"Lists the pauses of a recording as a table: start_s,end_s."}, input{"phones", "When each phone is spoken"},
-     param("shortest_s", &example::ListPausesOptions::shortest_s, range{0, 60}, unit{"s"},
-           "Shortest pause in the table"),
+     doc{"Lists the pauses of a recording as a table: start_s,end_s."},
+     input{"phones", "When each phone is spoken"},
+     param("shortest_s", &example::ListPausesOptions::shortest_s, range{0, 60}, unit{"s"}, "Shortest pause in the table"),
      output("table", "One line per pause"));
