@@ -50,6 +50,7 @@ int validate(const Common& common, const GraphArguments& arguments);
 struct NodesArguments {
   std::string filter;
   bool json = false;
+  bool markdown = false;  // the reference page of all nodes
 };
 int nodes(const Common& common, const NodesArguments& arguments);
 

@@ -85,6 +85,7 @@ int main(int count, char** words) {
   CLI::App* nodes_command = app.add_subcommand("nodes", "List the nodes");
   nodes_command->add_option("filter", nodes.filter, "Only names and texts with this in them");
   nodes_command->add_flag("--json", nodes.json, "As JSON");
+  nodes_command->add_flag("--markdown", nodes.markdown, "The reference page of all nodes");
 
   cli::DescribeArguments describe;
   CLI::App* describe_command = app.add_subcommand("describe", "Say everything about a node or a value type");

@@ -2,11 +2,16 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "engine/describe/describe.h"
 
 namespace cli {
 
 int nodes(const Common& common, const NodesArguments& arguments) {
   const auto plugins = open_plugins(common);
+  if (arguments.markdown) {
+    std::printf("%s", engine::node_reference(*plugins).c_str());
+    return done;
+  }
   engine::NodeList list;
   for (const std::string& name : plugins->node_names()) {
     const engine::NodeInfo& node = *plugins->find(name);

@@ -123,12 +123,11 @@ void Rearrangement::list_files() {
   session_.complete(output_);
 }
 
-bool Rearrangement::keeps(std::size_t index, const std::string& id, bool& decided) {
+bool Rearrangement::keeps(std::size_t index, const std::string& id) {
   const GraphNode& graph_node = session_.node(node_);
   const auto number = [&](std::size_t param) {
     return static_cast<std::size_t>(std::get<std::int64_t>(graph_node.params[param]));
   };
-  decided = true;
   switch (graph_node.info->structural) {
     case Structural::slice:
       return index >= number(0) && index < number(1);
@@ -171,8 +170,7 @@ void Rearrangement::pass_through() {
     }
   }
   for (; next_ < held.children.size(); ++next_) {
-    bool decided = false;
-    if (!keeps(next_, held.ids[next_], decided)) continue;
+    if (!keeps(next_, held.ids[next_])) continue;
     Tree* child = held.children[next_];
     if (graph_node.info->structural == Structural::ids) {
       child = session_.new_tree();

@@ -129,7 +129,7 @@ class Rearrangement final : public Watcher {
   void pass_through();  // select, slice, every, where, ids
   void flatten();
   void merge();
-  bool keeps(std::size_t index, const std::string& id, bool& decided);
+  bool keeps(std::size_t index, const std::string& id);
 
   Session& session_;
   int node_;
