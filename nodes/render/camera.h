@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <array>
 #include <vector>
 
 #include "nodes/render/rasterize.h"
+#include "nodes/types/camera.h"
 #include "nodes/types/vec.h"
 
 namespace face::render {
-
-// A pinhole camera without distortion. In its frame x points right, y up and the axis looks along -z.
-struct Camera {
-  std::array<float, 9> cam_from_world = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // rotation, rows
-  Vec3f position_mm = {0, 0, 600};                                    // of the pinhole, in the world
-  float focal_px = 1000;
-  float centre_x_px = 319.5f;
-  float centre_y_px = 319.5f;
-};
 
 // A camera that orbits a point: at yaw 0 and pitch 0 it stands on the +z side and looks along -z; a positive yaw moves
 // it to +x (the head's left side comes into view), a positive pitch moves it up. field_of_view_deg is the vertical one.

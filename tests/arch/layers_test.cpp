@@ -98,8 +98,8 @@ std::set<std::string> linked_areas(const std::string& area) {
 std::vector<std::string> areas() {
   const std::string text = text_of("nodes/CMakeLists.txt");
   std::smatch match;
-  EXPECT_TRUE(std::regex_search(text, match, std::regex("foreach\\(area ([a-z ]+)\\)")))
-      << "nodes/CMakeLists.txt: no foreach(area ...)";
+  EXPECT_TRUE(std::regex_search(text, match, std::regex("set\\(areas ([a-z\\s]+)\\)")))
+      << "nodes/CMakeLists.txt: no set(areas ...)";
   std::vector<std::string> names;
   std::istringstream words(match[1].str());
   for (std::string word; words >> word;)
