@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "nodes/types/matrix.h"
+#include "nodes/types/rig.h"
+#include "nodes/types/shape_set.h"
+#include "nodes/types/surface_dots.h"
+
+namespace face::phantom {
+
+enum class Markers { none, white, black };
+
+struct MakePersonOptions {
+  std::int64_t seed = 1;
+  double spread = 1;      // standard deviations of the identity coefficients; 0 = the rig's own identity
+  double warp_mm = 0;     // root mean square of the smooth warp over the face's skin; 0 = off
+  bool skin = true;       // skin tone, lips, brows, cheeks of this person
+  double beard = 0.25;    // chance of a beard shadow
+  bool moles = true;      // moles and freckles (as dots)
+  bool painted = false;   // a painted look: flat skin, drawn lips, brows and cheeks
+  bool lipstick = false;  // the red of the lips evenly coloured up to a clear outer edge
+  Markers markers = Markers::none;
+  double marker_radius_mm = 1.5;
+};
+
+struct MakePersonResult {
+  Rig person;           // topology, shapes and marks of the rig
+  Matrix coefficients;  // 1 x K, of the modes, in standard deviations: the truth of a linear fit
+  Matrix warp_mm;       // V x 3: what the warp added to each vertex of the neutral; 0 x 0 where it is off
+  SurfaceDots dots;     // moles and freckles, then markers: what sensors paint
+  SurfaceDots markers;  // the markers alone, by name
+};
+
+// A person after a rig: identity modes with random coefficients, a smooth warp that no linear model contains, and a
+// skin. modes: null = none.
+MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const MakePersonOptions& options = {});
+
+}  // namespace face::phantom
