@@ -7,31 +7,13 @@
 #include <string_view>
 
 #include "nodes/base/check.h"
-#include "nodes/phantom/brows.h"
-#include "nodes/phantom/ears.h"
-#include "nodes/phantom/hair.h"
-#include "nodes/phantom/lashes.h"
 #include "nodes/phantom/lips.h"
-#include "nodes/phantom/paint.h"
+#include "nodes/phantom/neutral_head.h"
 #include "nodes/phantom/sculptor.h"
 #include "nodes/types/arkit.h"
 
 namespace face::phantom {
 namespace {
-
-Head neutral_head(const MakeHeadOptions& options) {
-  Head head;
-  head.skin = add_skin(head.mesh);
-  paint_skin(head.mesh, head.skin);
-  head.eyes = add_eyes(head.mesh);
-  head.mouth = add_mouth_interior(head.mesh);
-  head.lashes = add_lashes(head.mesh, head.skin);
-  head.brows = add_brows(head.mesh, head.skin);
-  add_ears(head.mesh);
-  head.mesh.symmetrise();
-  if (options.with_hair) add_hair(head.mesh);  // falls to one side
-  return head;
-}
 
 Offsets sculpt(const Head& head, const Fields& fields, std::string_view name) {
   if (name.starts_with("eye")) return eye_shape(head, name);

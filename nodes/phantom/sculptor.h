@@ -19,6 +19,7 @@ struct Head {
   Eyes eyes;
   MouthInterior mouth;
   Attached lashes, brows;
+  VertexRange ears, hair;  // no hair: an empty range
 };
 
 // One offset per vertex of the head, mm.
