@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/phantom/make_lighting.h"
+
+#include "engine/node.h"
+using namespace engine::declare;
+using namespace face::phantom;
+using Options = MakeLightingOptions;
+
+NODE("phantom.make_lighting", &make_lighting, version{1},
+     doc{"One parallel and one ambient light, and what the camera makes of colours: contrast, gain, offset."},
+     param("yaw_deg", &Options::yaw_deg, range{-180.0, 180.0}, unit{"deg"},
+           "Where the parallel light comes from; positive: from the head's left"),
+     param("pitch_deg", &Options::pitch_deg, range{-90.0, 90.0}, unit{"deg"}, "Positive: from above"),
+     param("parallel_red", &Options::parallel_red, range{0.0, 4.0}, unit{"1"}, "Parallel light, red"),
+     param("parallel_green", &Options::parallel_green, range{0.0, 4.0}, unit{"1"}, "Parallel light, green"),
+     param("parallel_blue", &Options::parallel_blue, range{0.0, 4.0}, unit{"1"}, "Parallel light, blue"),
+     param("ambient_red", &Options::ambient_red, range{0.0, 4.0}, unit{"1"}, "Ambient light, red"),
+     param("ambient_green", &Options::ambient_green, range{0.0, 4.0}, unit{"1"}, "Ambient light, green"),
+     param("ambient_blue", &Options::ambient_blue, range{0.0, 4.0}, unit{"1"}, "Ambient light, blue"),
+     param("contrast", &Options::contrast, range{0.0, 2.0}, unit{"1"}, "Of colours: 1 as they are, 0 grey"),
+     param("gain_red", &Options::gain_red, range{0.0, 4.0}, unit{"1"}, "Gain of the red channel"),
+     param("gain_green", &Options::gain_green, range{0.0, 4.0}, unit{"1"}, "Gain of the green channel"),
+     param("gain_blue", &Options::gain_blue, range{0.0, 4.0}, unit{"1"}, "Gain of the blue channel"),
+     param("offset_red", &Options::offset_red, range{-1.0, 1.0}, unit{"1"}, "Added to red; 1 is white"),
+     param("offset_green", &Options::offset_green, range{-1.0, 1.0}, unit{"1"}, "Added to green"),
+     param("offset_blue", &Options::offset_blue, range{-1.0, 1.0}, unit{"1"}, "Added to blue"),
+     output("lighting", "The light"));
