@@ -31,8 +31,8 @@ struct State {
 
 struct Problem {
   LandmarkBasis basis;
-  std::vector<double> sigmas;  // of the coefficients
-  std::vector<double> gap;     // mm per coefficient of expression
+  std::vector<double> sigmas;             // of the coefficients
+  std::vector<std::vector<double>> gaps;  // mm per lip pair and coefficient of expression
   double log_focal = 7;
   const FitLandmarksOptions* options = nullptr;
   bool closed = false;
@@ -88,17 +88,17 @@ double evaluate(const Problem& problem, const State& state, Eigen::MatrixXd* a, 
   }
   for (std::size_t k = 0; k < basis.coefficients(); ++k)
     add_prior(static_cast<Eigen::Index>(FacePose::size + k), state.coefficients[k], problem.sigmas[k]);
-  double gap = 0;
-  for (std::size_t k = 0; k < basis.expressions; ++k) gap += problem.gap[k] * state.coefficients[basis.identities + k];
-  if (problem.closed || gap < 0) {
+  const auto first = static_cast<Eigen::Index>(FacePose::size + basis.identities);
+  for (const std::vector<double>& row : problem.gaps) {
+    double gap = 0;
+    for (std::size_t k = 0; k < basis.expressions; ++k) gap += row[k] * state.coefficients[basis.identities + k];
+    if (!problem.closed && gap >= 0) continue;
     const double gap_sigma = problem.closed ? closed_sigma_mm : overlap_sigma_mm;
     cost += gap * gap / (gap_sigma * gap_sigma);
-    if (a != nullptr) {
-      const auto first = static_cast<Eigen::Index>(FacePose::size + basis.identities);
-      const Eigen::Map<const Vector> g(problem.gap.data(), static_cast<Eigen::Index>(basis.expressions));
-      a->block(first, first, g.size(), g.size()) += g * g.transpose() / (gap_sigma * gap_sigma);
-      b->segment(first, g.size()) -= g * gap / (gap_sigma * gap_sigma);
-    }
+    if (a == nullptr) continue;
+    const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(basis.expressions));
+    a->block(first, first, g.size(), g.size()) += g * g.transpose() / (gap_sigma * gap_sigma);
+    b->segment(first, g.size()) -= g * gap / (gap_sigma * gap_sigma);
   }
   return cost;
 }
@@ -232,7 +232,7 @@ FaceFit fit_landmarks(const MorphableModel& model, const Landmarks& landmarks, c
                         model.identity.sigmas.begin() + static_cast<std::ptrdiff_t>(basis.identities));
   problem.sigmas.insert(problem.sigmas.end(), model.expression.sigmas.begin(),
                         model.expression.sigmas.begin() + static_cast<std::ptrdiff_t>(basis.expressions));
-  problem.gap = lip_gap_row(model);
+  problem.gaps = lip_gap_rows(model);
 
   FaceFit fit;
   fit.image_width_px = picture.width;

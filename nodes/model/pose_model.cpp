@@ -36,23 +36,25 @@ std::vector<Vec3f> albedo_of(const MorphableModel& model, const std::vector<floa
   return result;
 }
 
-std::vector<double> lip_gap_row(const MorphableModel& model) {
-  std::vector<double> row(model.expression.size(), 0.0);
+std::vector<std::vector<double>> lip_gap_rows(const MorphableModel& model) {
+  std::vector<std::vector<double>> rows;
   const std::size_t vertices = model.mean.points_mm.size();
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    const Vec3f* mode = model.expression.modes.data() + k * vertices;
-    for (const LipPair& pair : model.inner_lips)
-      row[k] += (static_cast<double>(mode[pair.upper][1]) - mode[pair.lower][1]) /
-                static_cast<double>(model.inner_lips.size());
+  for (const LipPair& pair : model.inner_lips) {
+    std::vector<double>& row = rows.emplace_back(model.expression.size(), 0.0);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const Vec3f* mode = model.expression.modes.data() + k * vertices;
+      row[k] = static_cast<double>(mode[pair.upper][1]) - mode[pair.lower][1];
+    }
   }
-  return row;
+  return rows;
 }
 
 double lip_gap_of(const MorphableModel& model, const std::vector<float>& expression) {
-  const std::vector<double> row = lip_gap_row(model);
+  const std::vector<std::vector<double>> rows = lip_gap_rows(model);
   double gap = 0;
-  for (std::size_t k = 0; k < expression.size() && k < row.size(); ++k) gap += row[k] * expression[k];
-  return gap;
+  for (const std::vector<double>& row : rows)
+    for (std::size_t k = 0; k < expression.size() && k < row.size(); ++k) gap += row[k] * expression[k];
+  return rows.empty() ? 0 : gap / static_cast<double>(rows.size());
 }
 
 Vec3f turning_point(const MorphableModel& model) {

@@ -15,8 +15,9 @@ std::vector<Vec3f> pose_model(const MorphableModel& model, const std::vector<flo
 // Linear reflectance of every vertex at these coefficients, V x 3.
 std::vector<Vec3f> albedo_of(const MorphableModel& model, const std::vector<float>& albedo);
 
-// How much expression coefficient k opens the mouth, mm: the lip gap is their sum with the coefficients.
-std::vector<double> lip_gap_row(const MorphableModel& model);
+// How much expression coefficient k moves inner lip pair p apart, mm: rows[p][k]. The pair's gap is the sum with the
+// coefficients, the lip gap the mean over pairs.
+std::vector<std::vector<double>> lip_gap_rows(const MorphableModel& model);
 double lip_gap_of(const MorphableModel& model, const std::vector<float>& expression);
 
 // The point of the mean head about which poses turn: the middle of its landmarks, or of its skin.

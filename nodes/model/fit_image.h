@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "engine/port.h"
+#include "nodes/types/face_fit.h"
+#include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
+#include "nodes/types/morphable_model.h"
+
+namespace face::model {
+
+struct FitImageOptions {
+  std::int64_t identities = 99;  // components at most
+  std::int64_t albedos = 99;
+  std::int64_t expressions = 10;
+  std::int64_t points = 1500;   // random pixels per step and picture
+  std::int64_t steps = 8;       // per size
+  double image_weight = 1200;   // how many independent points the picture counts as
+  double point_sigma = 0.02;    // as in fit_landmarks
+  double mouth_sigma_mm = 2;    // of the lip gap about 0; an open mouth must be seen
+  double max_image_rms = 0.12;  // difference of picture and model above which the fit is not believed
+  std::int64_t seed = 1;
+};
+
+// Analysis by synthesis of one picture: pose, focal length, light, contrast, gain and offset, identity, albedo and
+// expression such that the drawn model looks like it. Starts from fit_landmarks; then the points' weight falls and the
+// picture's grows while its size grows (Blanz, Basso, Poggio, Vetter: Reanimating Faces in Images and Video,
+// Eurographics 2003, section 3.1, equations 5-8). Each step compares a new random set of pixels. Differs from the
+// paper: Gauss-Newton steps instead of gradient descent, robust weights (what no model explains, hair and highlights,
+// counts little), sRGB decoded before light is computed, and no lip may run into the other.
+FaceFit fit_image(const MorphableModel& model, const Image& picture, const Landmarks& landmarks,
+                  const FitImageOptions& options = {});
+
+}  // namespace face::model

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/fit_images.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "nodes/base/check.h"
+#include "nodes/model/fit_landmarks.h"
+#include "nodes/model/landmark_basis.h"
+#include "nodes/model/pixel_rows.h"
+#include "nodes/model/pose_model.h"
+
+namespace face::model {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Prior spread of the rendering parameters (sigma_R of equation 8), about their start.
+constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.35;
+constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
+                                                  0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
+constexpr double overlap_sigma_mm = 0.3;
+constexpr double least_noise = 0.02;  // of a pixel, as a share of the scale: the model is never better
+constexpr double extreme_share = 0.45;
+constexpr int light_steps = 6;
+
+// One size of the picture: of the eye distance on it, how much the points still weigh, how much of the picture's weight
+// is used already (E_F first, E_I growing).
+struct Stage {
+  double eyes_px, landmark_weight, image_share;
+};
+constexpr Stage stages[] = {{28, 1.0, 0.3}, {55, 0.5, 0.7}, {110, 0.2, 1.0}};
+
+struct Picture {
+  const Image* image = nullptr;
+  LandmarkBasis landmarks;
+  FaceFit start;
+  PictureState state;
+  std::array<double, 7> start_pose{};
+  double log_focal = 7;
+  double eyes_px = 100;
+};
+
+struct Joint {
+  const MorphableModel* model = nullptr;
+  FitImageOptions options;
+  SkinBasis basis;
+  std::vector<double> identity, albedo;
+  std::vector<std::vector<double>> gaps;
+  std::vector<Picture> pictures;
+
+  PixelColumns columns() const { return {basis.identities, basis.albedos, basis.expressions, true}; }
+  std::size_t shared() const { return basis.identities + basis.albedos; }
+  std::size_t own() const { return FacePose::size + basis.expressions + light_parameters; }
+};
+
+double median_of(std::vector<float> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Robust root weights of the rows, one per point (Geman and McClure's kernel), at the noise of this set.
+std::vector<float> robust_weights(const std::vector<float>& residual, double& noise) {
+  std::vector<float> lengths(residual.size() / 3);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    lengths[i] = std::sqrt((residual[3 * i] * residual[3 * i] + residual[3 * i + 1] * residual[3 * i + 1] +
+                            residual[3 * i + 2] * residual[3 * i + 2]) /
+                           3.0f);
+  noise = std::max(least_noise, median_of(lengths));  // of a Rayleigh-like length, near its sigma
+  const auto scale = static_cast<float>(2.5 * noise);
+  for (float& length : lengths) {
+    const float u = length / scale;
+    length = 1.0f / (1.0f + u * u);
+  }
+  return lengths;
+}
+
+struct Normal {
+  Eigen::MatrixXd a;
+  Vector b;
+};
+
+// Adds one picture's pixels. Columns of the picture's own follow the shared ones.
+void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level, double share, Random& random,
+                Normal& normal) {
+  const PixelColumns columns = joint.columns();
+  const PixelRows rows =
+      pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), joint.pictures[index].state,
+                 level, columns, static_cast<std::size_t>(joint.options.points), random);
+  if (rows.residual.empty()) return;
+  double noise = 0;
+  const std::vector<float> weights = robust_weights(rows.residual, noise);
+  const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
+  RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);
+  Eigen::VectorXf r = Eigen::Map<const Eigen::VectorXf>(rows.residual.data(), n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const float w = weights[static_cast<std::size_t>(i / 3)];
+    j.row(i) *= w;
+    r[i] *= w;
+  }
+  const double weight = share * joint.options.image_weight / static_cast<double>(n / 3) / (noise * noise);
+  const Eigen::MatrixXf a = j.transpose() * j;
+  const Eigen::VectorXf b = j.transpose() * r;
+  const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
+  const Eigen::Index first = shared + own * static_cast<Eigen::Index>(index);
+  normal.a.topLeftCorner(shared, shared) += weight * a.topLeftCorner(shared, shared).cast<double>();
+  normal.a.block(0, first, shared, own) += weight * a.topRightCorner(shared, own).cast<double>();
+  normal.a.block(first, 0, own, shared) += weight * a.bottomLeftCorner(own, shared).cast<double>();
+  normal.a.block(first, first, own, own) += weight * a.bottomRightCorner(own, own).cast<double>();
+  normal.b.head(shared) -= weight * b.head(shared).cast<double>();
+  normal.b.segment(first, own) -= weight * b.tail(own).cast<double>();
+}
+
+std::vector<double> joined(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> result = a;
+  result.insert(result.end(), b.begin(), b.end());
+  return result;
+}
+
+void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& normal) {
+  Picture& picture = joint.pictures[index];
+  const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
+  assign_contours(points, picture.state.pose, picture.landmarks);
+  const LandmarkRows rows = landmark_rows(picture.landmarks, points, picture.state.pose);
+  const double sigma = joint.options.point_sigma * eye_distance_px(picture.landmarks, points, picture.state.pose);
+  const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
+  const Eigen::Index first = shared + own * static_cast<Eigen::Index>(index);
+  Vector row = Vector::Zero(normal.b.size());
+  for (std::size_t i = 0; i < rows.residual_px.size(); ++i) {
+    const double* from = rows.jacobian.data() + i * rows.columns;
+    for (Eigen::Index k = 0; k < FacePose::size; ++k) row[first + k] = from[k];
+    for (std::size_t k = 0; k < joint.basis.identities; ++k)
+      row[static_cast<Eigen::Index>(k)] = from[FacePose::size + k];
+    for (std::size_t k = 0; k < joint.basis.expressions; ++k)
+      row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
+    const double error = std::abs(rows.residual_px[i]) / sigma;
+    const double w = weight * (error > 2.5 ? 2.5 / error : 1.0) / (sigma * sigma);
+    normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
+    normal.b -= row * (w * rows.residual_px[i]);
+  }
+}
+
+// Priors (equation 8) and lips that do not run into each other.
+void add_priors(const Joint& joint, bool frozen, Normal& normal) {
+  const auto add = [&](Eigen::Index column, double value, double sigma) {
+    normal.a(column, column) += 1 / (sigma * sigma);
+    normal.b[column] -= value / (sigma * sigma);
+  };
+  for (std::size_t k = 0; k < joint.identity.size(); ++k)
+    add(static_cast<Eigen::Index>(k), joint.identity[k], joint.model->identity.sigmas[k]);
+  for (std::size_t k = 0; k < joint.albedo.size(); ++k)
+    add(static_cast<Eigen::Index>(joint.basis.identities + k), joint.albedo[k], joint.model->albedo.sigmas[k]);
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
+    const Picture& picture = joint.pictures[m];
+    const auto first = static_cast<Eigen::Index>(joint.shared() + m * joint.own());
+    // The turn, place and size are held near the present ones only: their start is no prior knowledge.
+    for (Eigen::Index k = 0; k < 3; ++k) add(first + k, 0, turn_sigma);
+    add(first + 3, 0, place_sigma_px);
+    add(first + 4, 0, place_sigma_px);
+    add(first + 5, 0, scale_sigma);
+    add(first + 6, picture.state.pose.log_focal - picture.log_focal, focal_sigma);
+    const Eigen::Index expression = first + FacePose::size;
+    for (std::size_t k = 0; k < joint.basis.expressions; ++k)
+      add(expression + static_cast<Eigen::Index>(k), picture.state.expression[k], joint.model->expression.sigmas[k]);
+    for (const std::vector<double>& row : joint.gaps) {
+      const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(joint.basis.expressions));
+      double gap = 0;
+      for (std::size_t k = 0; k < joint.basis.expressions; ++k) gap += row[k] * picture.state.expression[k];
+      const double sigma = gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
+      const double weight = 1 / (sigma * sigma * static_cast<double>(joint.gaps.size())) /
+                            (gap < 0 ? 1 : 1 + std::pow(gap / sigma, 2));  // an open mouth is not pulled at
+      normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
+      normal.b.segment(expression, g.size()) -= weight * gap * g;
+    }
+    const Eigen::Index light = expression + static_cast<Eigen::Index>(joint.basis.expressions);
+    const FaceLight& now = picture.state.light;
+    const FaceLight usual;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto k = static_cast<Eigen::Index>(c);
+      add(light + k, now.ambient[c] - usual.ambient[c], light_sigma[0]);
+      add(light + 3 + k, now.parallel[c] - usual.parallel[c], light_sigma[3]);
+      add(light + 9 + k, now.gain[c] - 1.0, light_sigma[9]);
+      add(light + 12 + k, now.offset[c], light_sigma[12]);
+    }
+    add(light + 6, 0, light_sigma[6]);
+    add(light + 7, 0, light_sigma[7]);
+    add(light + 8, now.contrast - 1.0, light_sigma[8]);
+  }
+  if (!frozen) return;
+  // Light and tone alone: everything else stays.
+  for (std::size_t k = 0; k < joint.shared(); ++k)
+    if (k < joint.basis.identities || k >= joint.basis.identities + 3) add(static_cast<Eigen::Index>(k), 0, 1e-6);
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m)
+    for (std::size_t k = 0; k < FacePose::size + joint.basis.expressions; ++k)
+      add(static_cast<Eigen::Index>(joint.shared() + m * joint.own() + k), 0, 1e-6);
+}
+
+void apply(const Vector& step, Joint& joint) {
+  const auto clamped = [](double value, double limit) { return std::clamp(value, -limit, limit); };
+  for (std::size_t k = 0; k < joint.identity.size(); ++k)
+    joint.identity[k] += clamped(step[static_cast<Eigen::Index>(k)], joint.model->identity.sigmas[k]);
+  for (std::size_t k = 0; k < joint.albedo.size(); ++k)
+    joint.albedo[k] +=
+        clamped(step[static_cast<Eigen::Index>(joint.basis.identities + k)], joint.model->albedo.sigmas[k]);
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
+    PictureState& state = joint.pictures[m].state;
+    const auto first = static_cast<Eigen::Index>(joint.shared() + m * joint.own());
+    std::array<double, FacePose::size> turn{};
+    const double limits[] = {0.15, 0.15, 0.15, 0.1 * joint.pictures[m].eyes_px, 0.1 * joint.pictures[m].eyes_px,
+                             0.1,  0.2};
+    for (std::size_t k = 0; k < FacePose::size; ++k)
+      turn[k] = clamped(step[first + static_cast<Eigen::Index>(k)], limits[k]);
+    state.pose = moved(state.pose, turn);
+    for (std::size_t k = 0; k < state.expression.size(); ++k)
+      state.expression[k] +=
+          clamped(step[first + static_cast<Eigen::Index>(FacePose::size + k)], joint.model->expression.sigmas[k]);
+    std::array<double, light_parameters> light{};
+    for (std::size_t k = 0; k < light_parameters; ++k)
+      light[k] = clamped(step[first + static_cast<Eigen::Index>(FacePose::size + state.expression.size() + k)],
+                         light_sigma[k]);
+    state.light = moved(state.light, light.data());
+  }
+}
+
+void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& stage, bool frozen, Random& random) {
+  const auto size = static_cast<Eigen::Index>(joint.shared() + joint.own() * joint.pictures.size());
+  Normal normal{Eigen::MatrixXd::Zero(size, size), Vector::Zero(size)};
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
+    add_pixels(joint, m, levels[m], stage.image_share, random, normal);
+    add_landmarks(joint, m, stage.landmark_weight, normal);
+  }
+  add_priors(joint, frozen, normal);
+  apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
+}
+
+// What the fit is worth, and what is wrong with it.
+void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit) {
+  Picture& picture = joint.pictures[index];
+  const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
+  assign_contours(points, picture.state.pose, picture.landmarks);
+  const LandmarkRows marks = landmark_rows(picture.landmarks, points, picture.state.pose);
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < picture.landmarks.points.size(); ++i) {
+    const double error = std::hypot(marks.residual_px[2 * i], marks.residual_px[2 * i + 1]);
+    sum += error;
+    squares += error * error;
+  }
+  const auto count = static_cast<double>(picture.landmarks.points.size());
+  const double eyes = eye_distance_px(picture.landmarks, points, picture.state.pose);
+  fit.landmark_rms_px = std::sqrt(squares / count);
+  fit.landmark_nme = sum / count / eyes;
+  Random random(static_cast<std::uint64_t>(joint.options.seed), 77);
+  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), picture.state,
+                                    level, {0, 0, 0, false}, 4000, random);
+  double total = 0;
+  for (const float r : rows.residual) total += static_cast<double>(r) * r;
+  fit.image_rms = rows.residual.empty() ? 1.0 : std::sqrt(total / static_cast<double>(rows.residual.size()));
+  fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
+  const FitLandmarksOptions limits;
+  if (rows.visible < 200)
+    fit.problem = "less than 200 pixels of skin are seen: use a larger picture, or check the points";
+  else if (turn_deg(picture.state.pose) > limits.max_turn_deg)
+    fit.problem = message("the head came out turned by ", std::lround(turn_deg(picture.state.pose)),
+                          " degrees: use a picture in which both eyes are seen");
+  else if (rows.overexposed > extreme_share)
+    fit.problem = message(std::lround(100 * rows.overexposed),
+                          " % of the face is overexposed: use a picture with less or softer light");
+  else if (rows.dark > extreme_share)
+    fit.problem =
+        message(std::lround(100 * rows.dark), " % of the face is all but black: use a picture with more light");
+  else if (fit.image_rms > joint.options.max_image_rms)
+    fit.problem =
+        message("model and picture differ by ", std::lround(100 * fit.image_rms), " % of the scale, expected at most ",
+                std::lround(100 * joint.options.max_image_rms), " %: is there a face at the points?");
+  else if (fit.landmark_nme > limits.max_nme)
+    fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
+                          " % of the eye distance off, expected at most ", 100 * limits.max_nme,
+                          " %: check their names and places");
+  fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
+}
+
+std::vector<float> floats(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector<const Image*>& pictures,
+                                  const std::vector<const Landmarks*>& landmarks, const FitImageOptions& options) {
+  check(pictures.size() == landmarks.size(), "there are ", pictures.size(), " pictures and ", landmarks.size(),
+        " sets of points");
+  check(!pictures.empty(), "there is no picture");
+  Joint joint;
+  joint.model = &model;
+  joint.options = options;
+  FitLandmarksOptions landmark_options;
+  landmark_options.identities = options.identities;
+  landmark_options.expressions = options.expressions;
+  landmark_options.point_sigma = options.point_sigma;
+  std::vector<FaceFit> fits;
+  for (std::size_t m = 0; m < pictures.size(); ++m)
+    fits.push_back(fit_landmarks(model, *landmarks[m], *pictures[m], landmark_options));
+  if (std::any_of(fits.begin(), fits.end(), [](const FaceFit& fit) { return !fit.converged; })) {
+    // A picture whose points are no use spoils them all; those without a problem of their own say so.
+    for (FaceFit& fit : fits) {
+      if (fit.converged) fit.problem = "the points of another picture of this person could not be used";
+      fit.converged = false;
+    }
+    return fits;
+  }
+  joint.basis =
+      make_skin_basis(model, static_cast<std::size_t>(options.identities),
+                      static_cast<std::size_t>(options.expressions), static_cast<std::size_t>(options.albedos));
+  joint.gaps = lip_gap_rows(model);
+  joint.identity.assign(joint.basis.identities, 0.0);
+  joint.albedo.assign(joint.basis.albedos, 0.0);
+  for (std::size_t k = 0; k < joint.identity.size(); ++k)
+    for (const FaceFit& fit : fits) joint.identity[k] += fit.identity[k] / static_cast<double>(fits.size());
+  const Vec3f centre = turning_point(model);
+  for (std::size_t m = 0; m < pictures.size(); ++m) {
+    Picture& picture = joint.pictures.emplace_back();
+    picture.image = pictures[m];
+    picture.landmarks = make_landmark_basis(model, *landmarks[m], joint.basis.identities, joint.basis.expressions);
+    picture.state.pose = pose_of(fits[m].camera, centre);
+    picture.state.expression.assign(fits[m].expression.begin(), fits[m].expression.end());
+    picture.log_focal = std::log(landmark_options.focal_share * std::max(pictures[m]->width, pictures[m]->height));
+    const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
+    picture.eyes_px = eye_distance_px(picture.landmarks, points, picture.state.pose);
+    // The usual light over the camera, from a little above.
+    picture.state.light.direction = {0.0f, 0.4f, 0.9165f};
+  }
+  Random random(static_cast<std::uint64_t>(options.seed));
+  std::vector<PictureLevel> levels;
+  for (const Stage& stage : stages) {
+    levels.clear();
+    for (const Picture& picture : joint.pictures)
+      levels.push_back(make_level(*picture.image, std::min(1.0, stage.eyes_px / picture.eyes_px)));
+    if (&stage == stages)
+      for (int i = 0; i < light_steps; ++i) step(joint, levels, stage, true, random);
+    for (std::int64_t i = 0; i < options.steps; ++i) step(joint, levels, stage, false, random);
+  }
+  for (std::size_t m = 0; m < fits.size(); ++m) {
+    FaceFit& fit = fits[m];
+    const PictureState& state = joint.pictures[m].state;
+    fit.identity = floats(joint.identity);
+    fit.albedo = floats(joint.albedo);
+    fit.expression = floats(state.expression);
+    fit.camera = camera_of(state.pose);
+    fit.light = state.light;
+    report(joint, m, levels[m], fit);
+  }
+  return fits;
+}
+
+engine::Seq<FaceFit> fit_images(const MorphableModel& model, const engine::Seq<Image>& pictures,
+                                const engine::Seq<Landmarks>& landmarks, const FitImageOptions& options) {
+  std::vector<std::shared_ptr<const Image>> images;
+  std::vector<std::shared_ptr<const Landmarks>> points;
+  std::vector<const Image*> image_list;
+  std::vector<const Landmarks*> point_list;
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    images.push_back(pictures.at(i));
+    image_list.push_back(images.back().get());
+    ids.push_back(pictures.id(i));
+  }
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    points.push_back(landmarks.at(i));
+    point_list.push_back(points.back().get());
+  }
+  return {fit_pictures(model, image_list, point_list, options), ids};
+}
+
+}  // namespace face::model

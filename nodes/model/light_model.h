@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "nodes/types/face_fit.h"
+
+namespace face::model {
+
+// sRGB's transfer function (IEC 61966-2-1), continued above 1, and its derivative and inverse. Linear below the toe.
+inline double srgb_of(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+inline double srgb_slope(double linear) {
+  return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
+}
+inline double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
+
+// Rec. 709 weights: what contrast mixes colour with.
+inline constexpr std::array<double, 3> luma = {0.2126, 0.7152, 0.0722};
+
+// Linear light on a surface whose normal has this cosine with the light's direction.
+inline double light_at(const FaceLight& light, std::size_t channel, double cosine) {
+  return static_cast<double>(light.ambient[channel]) +
+         static_cast<double>(light.parallel[channel]) * std::max(0.0, cosine);
+}
+
+// The picture's sRGB values of a lit albedo, by the formula at FaceLight.
+inline std::array<double, 3> shown(const FaceLight& light, const std::array<double, 3>& lit) {
+  std::array<double, 3> e, value;
+  double grey = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    e[c] = srgb_of(lit[c]);
+    grey += luma[c] * e[c];
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    value[c] = light.gain[c] * (light.contrast * e[c] + (1.0 - light.contrast) * grey) + light.offset[c];
+  return value;
+}
+
+// The lit albedo that is shown so: the exact inverse. Gains and contrast must not be 0.
+inline std::array<double, 3> lit_of(const FaceLight& light, const std::array<double, 3>& value) {
+  std::array<double, 3> mixed, lit;
+  double grey = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    mixed[c] = (value[c] - light.offset[c]) / light.gain[c];
+    grey += luma[c] * mixed[c];  // mixing keeps the luminance: the weights sum to 1
+  }
+  for (std::size_t c = 0; c < 3; ++c) lit[c] = linear_of((mixed[c] - (1.0 - light.contrast) * grey) / light.contrast);
+  return lit;
+}
+
+}  // namespace face::model

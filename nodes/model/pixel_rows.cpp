@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/pixel_rows.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "nodes/model/light_model.h"
+#include "nodes/render/camera.h"
+#include "nodes/render/rasterize.h"
+#include "nodes/render/rgb_image.h"
+#include "nodes/render/triangulate.h"
+
+namespace face::model {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using ModeRows = Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>>;
+
+constexpr double blur_px = 0.7;
+constexpr double least_facing = 0.12;  // cosine of normal and line of sight below which a point is not compared
+constexpr double least_reflectance = 1e-4;
+constexpr double end_of_scale = 0.985, all_but_black = 0.03;
+
+std::array<float, 9> sample(const PictureLevel& level, double x, double y) {
+  x = std::clamp(x, 0.0, level.width - 1.001);
+  y = std::clamp(y, 0.0, level.height - 1.001);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  const std::array<float, 9>* row = level.samples.data() +
+                                    static_cast<std::size_t>(y0) * static_cast<std::size_t>(level.width) +
+                                    static_cast<std::size_t>(x0);
+  const std::array<float, 9>* below = row + level.width;
+  std::array<float, 9> result;
+  for (std::size_t i = 0; i < 9; ++i)
+    result[i] = (1 - fy) * ((1 - fx) * row[0][i] + fx * row[1][i]) + fy * ((1 - fx) * below[0][i] + fx * below[1][i]);
+  return result;
+}
+
+// Two unit vectors that make a right-handed frame with d.
+std::array<Vec3, 2> tangents(const Vec3& d) {
+  const Vec3 helper = std::abs(d.y()) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+  const Vec3 first = helper.cross(d).normalized();
+  return {first, d.cross(first)};
+}
+
+Vec3 vec(const Vec3f& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+PictureLevel make_level(const Image& picture, double factor) {
+  const Image rgb = render::rgb_image(picture);
+  cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data())), small;
+  PictureLevel level;
+  level.width = std::max(8, static_cast<int>(std::lround(rgb.width * factor)));
+  level.height = std::max(8, static_cast<int>(std::lround(rgb.height * factor)));
+  level.factor = static_cast<double>(level.width) / rgb.width;
+  source.convertTo(small, CV_32FC3, 1.0 / 255.0);
+  cv::resize(small, small, {level.width, level.height}, 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(small, small, {0, 0}, blur_px);
+  level.samples.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+  const auto at = [&](int x, int y) {
+    return small.at<cv::Vec3f>(std::clamp(y, 0, level.height - 1), std::clamp(x, 0, level.width - 1));
+  };
+  for (int y = 0; y < level.height; ++y)
+    for (int x = 0; x < level.width; ++x) {
+      auto& s = level.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
+                              static_cast<std::size_t>(x)];
+      const cv::Vec3f here = at(x, y), right = at(x + 1, y), left = at(x - 1, y), down = at(x, y + 1),
+                      up = at(x, y - 1);
+      for (int c = 0; c < 3; ++c) {
+        s[static_cast<std::size_t>(c)] = here[c];
+        s[static_cast<std::size_t>(3 + c)] = 0.5f * (right[c] - left[c]);
+        s[static_cast<std::size_t>(6 + c)] = 0.5f * (down[c] - up[c]);
+      }
+    }
+  return level;
+}
+
+FaceLight moved(const FaceLight& light, const double* step) {
+  FaceLight result = light;
+  for (std::size_t c = 0; c < 3; ++c) {
+    result.ambient[c] = std::max(0.0f, light.ambient[c] + static_cast<float>(step[c]));
+    result.parallel[c] = std::max(0.0f, light.parallel[c] + static_cast<float>(step[3 + c]));
+    result.gain[c] = std::max(0.05f, light.gain[c] + static_cast<float>(step[9 + c]));
+    result.offset[c] = light.offset[c] + static_cast<float>(step[12 + c]);
+  }
+  result.contrast = std::max(0.05f, light.contrast + static_cast<float>(step[8]));
+  const Vec3 d = vec(light.direction);
+  const auto [first, second] = tangents(d);
+  const Vec3 turned = (d + step[6] * first + step[7] * second).normalized();
+  for (int k = 0; k < 3; ++k) result.direction[static_cast<std::size_t>(k)] = static_cast<float>(turned[k]);
+  return result;
+}
+
+std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
+                                     const PictureLevel& level, std::size_t points, Random& random,
+                                     std::size_t& visible) {
+  const std::vector<render::ScreenPoint> screen = render::project(camera_of(scaled(pose, level.factor)), posed_mm);
+  render::RasterOptions raster_options;
+  raster_options.width_px = level.width;
+  raster_options.height_px = level.height;
+  const render::Raster raster = render::rasterize(screen, basis.triangles, raster_options);
+  std::vector<std::uint32_t> seen;
+  for (std::uint32_t i = 0; i < raster.triangles.size(); ++i)
+    if (raster.triangles[i] >= 0) seen.push_back(i);
+  visible = seen.size();
+  std::vector<SkinPoint> chosen(std::min(points, seen.size()));
+  for (std::size_t n = 0; n < chosen.size(); ++n) {
+    // A partial shuffle (Durstenfeld, Algorithm 235: Random Permutation, 1964).
+    const std::size_t pick = n + static_cast<std::size_t>(random.uniform() * static_cast<double>(seen.size() - n));
+    std::swap(seen[n], seen[pick]);
+    chosen[n].triangle = static_cast<std::uint32_t>(raster.triangles[seen[n]]);
+    const auto width = static_cast<std::uint32_t>(level.width);
+    chosen[n].weights =
+        render::barycentrics_at(screen, basis.triangles[chosen[n].triangle], static_cast<float>(seen[n] % width),
+                                static_cast<float>(seen[n] / width));
+  }
+  return chosen;
+}
+
+PixelRows pixel_rows(const SkinBasis& basis, const std::vector<double>& identity, const std::vector<Vec3f>& albedo,
+                     const PictureState& state, const PictureLevel& level, const PixelColumns& columns,
+                     std::size_t points, Random& random) {
+  const std::vector<Vec3f> posed_mm = posed_skin(basis, identity, state.expression);
+  std::size_t visible = 0;
+  const std::vector<SkinPoint> chosen = choose_points(basis, posed_mm, state.pose, level, points, random, visible);
+  PixelRows rows = rows_at(chosen, basis, posed_mm, albedo, state, level, columns);
+  rows.visible = visible;
+  return rows;
+}
+
+PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, const std::vector<Vec3f>& posed,
+                  const std::vector<Vec3f>& albedo, const PictureState& state, const PictureLevel& level,
+                  const PixelColumns& columns) {
+  const std::vector<Vec3f> normals = render::vertex_normals(posed, basis.triangles);
+  const FacePose pose = scaled(state.pose, level.factor);
+  const Camera camera = camera_of(pose);
+  PixelRows rows;
+  rows.columns = columns.size();
+  rows.jacobian.reserve(3 * points.size() * rows.columns);
+  rows.residual.reserve(3 * points.size());
+
+  const Eigen::Map<const Rows3> rotation(pose.rotation.data());
+  const Vec3 light_in_camera = vec(state.light.direction);
+  const Vec3 light = rotation.transpose() * light_in_camera;
+  const auto light_turns = tangents(light_in_camera);
+  const Vec3 eye = vec(camera.position_mm);
+  const std::size_t shapes = basis.shapes();
+  std::size_t overexposed = 0, dark = 0;
+  Eigen::Matrix<float, 3, 9> shape_weights, albedo_weights;
+  Eigen::Matrix<float, 9, Eigen::Dynamic> modes(9, static_cast<Eigen::Index>(std::max(shapes, basis.albedos)));
+
+  for (const SkinPoint& skin_point : points) {
+    const auto& triangle = basis.triangles[skin_point.triangle];
+    const Vec3f& bary = skin_point.weights;
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), reflectance = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      point += bary[i] * vec(posed[triangle[i]]);
+      normal += bary[i] * vec(normals[triangle[i]]);
+      reflectance += bary[i] * vec(albedo[triangle[i]]);
+    }
+    normal.normalize();
+    const Vec3 to_eye = (eye - point).normalized();
+    if (normal.dot(to_eye) < least_facing) continue;
+    reflectance = reflectance.cwiseMax(least_reflectance);
+    const PoseView at =
+        view(pose, {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
+    const std::array<float, 9> picture = sample(level, at.x_px, at.y_px);
+    if (std::max({picture[0], picture[1], picture[2]}) > end_of_scale) ++overexposed;
+    if (std::max({picture[0], picture[1], picture[2]}) < all_but_black) ++dark;
+
+    // value_c = gain_c mix(srgb(L albedo))_c + offset_c; by_lit = its derivative by the lit albedo.
+    const double cosine = normal.dot(light);
+    std::array<double, 3> lit, e, strength;
+    double grey = 0;
+    Rows3 by_lit;
+    for (std::size_t c = 0; c < 3; ++c) {
+      strength[c] = light_at(state.light, c, cosine);
+      lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)];
+      e[c] = srgb_of(lit[c]);
+      grey += luma[c] * e[c];
+    }
+    const std::array<double, 3> value = shown(state.light, lit);
+    for (Eigen::Index c = 0; c < 3; ++c)
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const auto ci = static_cast<std::size_t>(c), ki = static_cast<std::size_t>(k);
+        by_lit(c, k) = state.light.gain[ci] *
+                       ((c == k ? state.light.contrast : 0.0f) + (1.0 - state.light.contrast) * luma[ki]) *
+                       srgb_slope(std::max(lit[ki], 1e-4));
+      }
+    Vec3 by_cosine = Vec3::Zero();
+    if (cosine > 0)
+      for (Eigen::Index k = 0; k < 3; ++k)
+        by_cosine += by_lit.col(k) * (reflectance[k] * state.light.parallel[static_cast<std::size_t>(k)]);
+
+    // Edges of the triangle and the dual basis in its plane.
+    const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
+    const Vec3 edge2 = vec(posed[triangle[2]]) - vec(posed[triangle[0]]);
+    const double g11 = edge1.dot(edge1), g12 = edge1.dot(edge2), g22 = edge2.dot(edge2);
+    const double det = g11 * g22 - g12 * g12;
+    Vec3 dual1 = Vec3::Zero(), dual2 = Vec3::Zero();
+    if (det > 1e-9 * g11 * g22) {
+      dual1 = (g22 * edge1 - g12 * edge2) / det;
+      dual2 = (g11 * edge2 - g12 * edge1) / det;
+    }
+    const Vec3 turn1 = -light.dot(dual1) * normal, turn2 = -light.dot(dual2) * normal;
+
+    const std::size_t first_row = rows.jacobian.size();
+    rows.jacobian.resize(first_row + 3 * rows.columns, 0.0f);
+    float* const out = rows.jacobian.data() + first_row;
+    const Vec3 normal_in_camera = rotation * normal;
+    const Vec3 swing = normal_in_camera.cross(light_in_camera);  // d cosine by a turn of the head
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto ci = static_cast<Eigen::Index>(c);
+      rows.residual.push_back(picture[c] - static_cast<float>(value[c]));
+      const double gx = picture[3 + c], gy = picture[6 + c];
+      float* const row = out + c * rows.columns;
+      for (std::size_t k = 0; k < FacePose::size; ++k)
+        row[columns.pose_first() + k] = static_cast<float>(gx * at.by_pose[0][k] + gy * at.by_pose[1][k]);
+      for (std::size_t k = 3; k < 5; ++k) row[columns.pose_first() + k] *= static_cast<float>(level.factor);
+      for (std::size_t k = 0; k < 3; ++k)
+        row[columns.pose_first() + k] -= static_cast<float>(by_cosine[ci] * swing[static_cast<Eigen::Index>(k)]);
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto ai = static_cast<std::size_t>(axis);
+        const double moving = gx * at.by_point[0][ai] + gy * at.by_point[1][ai];
+        const double t1 = by_cosine[ci] * turn1[axis], t2 = by_cosine[ci] * turn2[axis];
+        shape_weights(ci, axis) = static_cast<float>(bary[0] * moving + t1 + t2);
+        shape_weights(ci, 3 + axis) = static_cast<float>(bary[1] * moving - t1);
+        shape_weights(ci, 6 + axis) = static_cast<float>(bary[2] * moving - t2);
+        for (std::size_t i = 0; i < 3; ++i)
+          albedo_weights(ci, static_cast<Eigen::Index>(3 * i) + axis) =
+              static_cast<float>(-by_lit(ci, axis) * strength[ai] * bary[i]);
+      }
+      if (columns.light) {
+        float* const l = row + columns.light_first();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double by = -by_lit(ci, static_cast<Eigen::Index>(k)) * reflectance[static_cast<Eigen::Index>(k)];
+          l[k] = static_cast<float>(by);
+          l[3 + k] = static_cast<float>(by * std::max(0.0, cosine));
+        }
+        for (std::size_t k = 0; k < 2; ++k)
+          l[6 + k] = static_cast<float>(-by_cosine[ci] * normal_in_camera.dot(light_turns[k]));
+        l[8] = static_cast<float>(-state.light.gain[c] * (e[c] - grey));
+        l[9 + c] = static_cast<float>(-(state.light.contrast * e[c] + (1.0 - state.light.contrast) * grey));
+        l[12 + c] = -1;
+      }
+    }
+    Eigen::Map<Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>> block(out, 3,
+                                                                               static_cast<Eigen::Index>(rows.columns));
+    const auto fill = [&](const std::vector<float>& from, std::size_t width, std::size_t first, std::size_t count,
+                          std::size_t target, const Eigen::Matrix<float, 3, 9>& weights) {
+      if (count == 0) return;
+      const auto n_columns = static_cast<Eigen::Index>(count);
+      for (std::size_t i = 0; i < 3; ++i)
+        modes.block(static_cast<Eigen::Index>(3 * i), 0, 3, n_columns) =
+            ModeRows(from.data() + 3 * triangle[i] * width, 3, static_cast<Eigen::Index>(width))
+                .middleCols(static_cast<Eigen::Index>(first), n_columns);
+      block.middleCols(static_cast<Eigen::Index>(target), n_columns).noalias() =
+          weights.lazyProduct(modes.leftCols(n_columns));
+    };
+    fill(basis.shape_modes, shapes, 0, columns.identities, 0, shape_weights);
+    fill(basis.shape_modes, shapes, basis.identities, columns.expressions, columns.expression_first(), shape_weights);
+    fill(basis.albedo_modes, basis.albedos, 0, columns.albedos, columns.identities, albedo_weights);
+  }
+  const double used = std::max<double>(1.0, static_cast<double>(rows.residual.size()) / 3.0);
+  rows.overexposed = static_cast<double>(overexposed) / used;
+  rows.dark = static_cast<double>(dark) / used;
+  return rows;
+}
+
+}  // namespace face::model
