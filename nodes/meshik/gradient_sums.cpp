@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/gradient_sums.h"
+
+#include <algorithm>
+
+#include "nodes/meshik/factor_space.h"
+
+namespace face::meshik {
+
+using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+
+void add_gradients(const MeshSpace& space, std::size_t tile, const double (&gradients)[2][3][tile_lanes], double* x) {
+  auto* const sums = reinterpret_cast<Four*>(x);
+  const std::size_t last = free_count(space), triangles = space.triangles.size() / 3;
+  const std::size_t lanes = std::min(tile_lanes, triangles - tile * tile_lanes);
+  const double* g = &space.gradients[tile * 4 * tile_lanes];
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const Four first = {gradients[0][0][l], gradients[0][1][l], gradients[0][2][l], 0};
+    const Four second = {gradients[1][0][l], gradients[1][1][l], gradients[1][2][l], 0};
+    const Four one = g[l] * first + g[tile_lanes + l] * second;
+    const Four two = g[2 * tile_lanes + l] * first + g[3 * tile_lanes + l] * second;
+    const std::uint32_t* corner = &space.triangles[3 * (tile * tile_lanes + l)];
+    const auto place = [&](std::uint32_t v) { return std::min<std::size_t>(space.order[v], last); };
+    sums[place(corner[0])] -= one + two;
+    sums[place(corner[1])] += one;
+    sums[place(corner[2])] += two;
+  }
+}
+
+std::vector<double> unpack_vertices(const MeshSpace& space, const std::vector<double>& x) {
+  const std::size_t count = free_count(space);
+  std::vector<double> vertices(3 * static_cast<std::size_t>(space.vertex_count), 0.0);
+  for (std::size_t v = 0; v < space.order.size(); ++v)
+    if (space.order[v] < count)
+      for (std::size_t d = 0; d < 3; ++d) vertices[3 * v + d] = x[4 * space.order[v] + d];
+  return vertices;
+}
+
+void move_centroids(const MeshSpace& space, const std::vector<double>& weights, std::array<bool, 3> axes,
+                    const std::vector<bool>& placed, std::vector<double>& vertices_mm) {
+  const std::size_t size = space.centroids_mm.size() / (1 + static_cast<std::size_t>(space.example_count));
+  std::vector<double> shift(size, 0.0), counts(size / 3, 0.0);
+  for (std::size_t v = 0; v < space.component.size(); ++v) {
+    counts[space.component[v]] += 1;
+    for (std::size_t d = 0; d < 3; ++d) shift[3 * space.component[v] + d] -= vertices_mm[3 * v + d];
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    shift[i] = shift[i] / counts[i / 3] + space.centroids_mm[i];
+    for (std::size_t k = 0; k < weights.size(); ++k) shift[i] += weights[k] * space.centroids_mm[(k + 1) * size + i];
+    if (!axes[i % 3] || (!placed.empty() && placed[i / 3])) shift[i] = 0;
+  }
+  for (std::size_t v = 0; v < space.component.size(); ++v)
+    for (std::size_t d = 0; d < 3; ++d) vertices_mm[3 * v + d] += shift[3 * space.component[v] + d];
+}
+
+}  // namespace face::meshik

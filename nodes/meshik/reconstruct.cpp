@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/reconstruct.h"
+
+#include <cmath>
+
+#include "nodes/base/check.h"
+#include "nodes/meshik/blend_tile.h"
+#include "nodes/meshik/factor_space.h"
+#include "nodes/meshik/gradient_sums.h"
+#include "nodes/meshik/mesh_triangles.h"
+
+namespace face::meshik {
+
+std::vector<double> reconstruct_vertices(const MeshSpace& space, const std::vector<double>& weights) {
+  check(weights.size() == space.example_count, "there are ", weights.size(), " weights, expected ", space.example_count,
+        ", one per example");
+  for (const double weight : weights) check(std::isfinite(weight), "a weight is ", weight, ", expected finite numbers");
+  std::vector<double> x(4 * (free_count(space) + 1), 0.0);
+  BlendTile blend;
+  for (std::size_t tile = 0; tile < tile_count(space); ++tile) {
+    blend_tile(space, tile, weights.data(), blend);
+    add_gradients(space, tile, blend.blended, x.data());
+  }
+  solve_lower(space, x.data());
+  solve_transpose(space, x.data());
+  std::vector<double> vertices = unpack_vertices(space, x);
+  move_centroids(space, weights, {true, true, true}, {}, vertices);
+  return vertices;
+}
+
+MeshPoints reconstruct(const MeshSpace& space, const Weights& weights) {
+  std::vector<double> values(weights.values.begin(), weights.values.end());
+  check(values.size() <= space.example_count, "there are ", values.size(), " weights, expected at most ",
+        space.example_count, ", one per example");
+  values.resize(space.example_count);
+  return {points_of(reconstruct_vertices(space, values))};
+}
+
+}  // namespace face::meshik
