@@ -11,6 +11,7 @@
 #include "nodes/phantom/dot_painter.h"
 #include "nodes/phantom/head_view.h"
 #include "nodes/phantom/sensor_noise.h"
+#include "nodes/phantom/srgb_curve.h"
 #include "nodes/phantom/vector3.h"
 #include "nodes/render/rgb_image.h"
 #include "nodes/render/scene.h"
@@ -246,26 +247,6 @@ class Exposure {
   render::Raster opaque_;
   Lashes lashes_;
   int n_;
-};
-
-// Light to sRGB as a number, by a table over its square root, where the curve is nearly straight.
-class SrgbCurve {
- public:
-  SrgbCurve() {
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double root = static_cast<double>(i) / steps, light = root * root;
-      values_[i] = static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
-    }
-  }
-  float operator()(float light) const {
-    const float position = std::sqrt(std::clamp(light, 0.0f, 2.0f)) * steps;
-    const auto index = static_cast<std::size_t>(position);
-    return values_[index] + (position - static_cast<float>(index)) * (values_[index + 1] - values_[index]);
-  }
-
- private:
-  static constexpr int steps = 512;
-  std::array<float, 727> values_{};  // up to a root of 1.418: light of 2 is out of the picture anyway
 };
 
 }  // namespace
