@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 
 #include "engine/base/element_id.h"
 #include "engine/base/problem.h"
 #include "engine/run/session.h"
+#include "engine/run/task_progress.h"
 
 namespace engine::run {
-namespace fs = std::filesystem;
 
 // --- reading
 // --------------------------------------------------------------------------------------------------------------
@@ -25,7 +24,7 @@ class TreeAccess final : public SequenceAccess {
   std::string id(std::size_t index) const override { return tree_->sequence->ids.at(index); }
   std::shared_ptr<const void> load(std::size_t index) const override {
     try {
-      return session_.fetch(tree_->sequence->children.at(index), type_).data();
+      return session_.fetch(tree_->sequence->children.at(index), type_, tree_, index).data();
     } catch (const Stopped&) {
       *cut_short_ = true;
       throw;
@@ -42,21 +41,18 @@ class TreeAccess final : public SequenceAccess {
   std::shared_ptr<std::atomic<bool>> cut_short_;
 };
 
-class TaskCall final : public Call, public Progress {
+class TaskCall final : public Call {
  public:
   TaskCall(Session& session, Task& task, const NodeDeclaration& declaration)
       : session_(session),
         task_(task),
         declaration_(declaration),
         params_(session.params_of(task)),
-        files_(session.source_paths(task)) {
+        files_(session.source_paths(task)),
+        progress_(session, task, cut_short_.get()) {
     records_.resize(task.outputs.size());
     results_.resize(task.outputs.size());
     for (std::size_t o = 0; o < records_.size(); ++o) records_[o].sequence = declaration.info.outputs[o].depth > 0;
-  }
-  ~TaskCall() override {
-    std::error_code ignored;
-    if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
   }
 
   std::shared_ptr<const void> value(std::size_t input) override {
@@ -105,29 +101,7 @@ class TaskCall final : public Call, public Progress {
       throw;
     }
   }
-  Progress& progress() override { return *this; }
-
-  void report(double fraction) override {
-    const std::lock_guard guard(session_.mutex_);
-    task_.progress = std::clamp(fraction, 0.0, 1.0);
-    session_.emit(RunEvent::Kind::progress, task_);
-  }
-  bool stop_requested() const override {
-    if (session_.stopped_) *cut_short_ = true;
-    return session_.stopped_;
-  }
-  void warn(const std::string& text) override {
-    const std::lock_guard guard(session_.mutex_);
-    task_.warnings.push_back(text);
-    session_.emit(RunEvent::Kind::warning, task_, text);
-  }
-  std::string scratch_folder() override {
-    if (scratch_.empty()) {
-      scratch_ = session_.store_.folder() + "/scratch/" + task_.key.hex() + "-" + std::to_string(::getpid());
-      fs::create_directories(scratch_);
-    }
-    return scratch_;
-  }
+  Progress& progress() override { return progress_; }
 
   std::vector<OutputRecord> records_;
   std::vector<Value> results_;
@@ -144,10 +118,10 @@ class TaskCall final : public Call, public Progress {
   const std::vector<ParamValue>& params_;
   const std::vector<std::string> files_;  // the user's, which the task reads
   const std::shared_ptr<std::atomic<bool>> cut_short_ = std::make_shared<std::atomic<bool>>(false);
-  std::string scratch_;
+  TaskProgress progress_;
 };
 
-Value Session::fetch(Tree* leaf, const TypeInfo& type) {
+Value Session::fetch(Tree* leaf, const TypeInfo& type, const Tree* sequence, std::size_t index) {
   std::unique_lock guard(mutex_);
   leaf = follow(leaf);
   if (leaf->value) return leaf->value;
@@ -155,7 +129,10 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type) {
     guard.unlock();
     if (auto value = load_value(type, leaf->identity, store_)) {
       guard.lock();
-      if (leaf->uses > 1) hold_value(leaf, *value);  // another task reads it too
+      if (leaf->uses > 1) {  // another task reads it too
+        hold_value(leaf, *value);
+        wake_worker();
+      }
       make_room(false);
       return *value;
     }
@@ -164,8 +141,12 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type) {
   }
   ++leaf->pins;
   produce(*leaf->producer);
+  if (sequence) read_ahead(*sequence, index);
   drain();
-  wait_blocked(guard, [&] { return static_cast<bool>(leaf->value) || leaf->producer->state == Task::State::failed; });
+  const auto there = [&] { return static_cast<bool>(leaf->value) || leaf->producer->state == Task::State::failed; };
+  // Small tasks are done before another thread has woken; none of them waits for anything.
+  while (!there() && !stopped_ && !ready_.empty() && suits_batch(*ready_.top())) run_batch(guard);
+  wait_blocked(guard, there);
   --leaf->pins;
   if (!leaf->value) {
     if (stopped_) throw Stopped{};
@@ -174,6 +155,20 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type) {
   const Value value = leaf->value;
   drop_unused(leaf);
   return value;
+}
+
+// Who reads an element of a cheap sequence will read the next ones.
+void Session::read_ahead(const Tree& sequence, std::size_t index) {
+  constexpr std::size_t small_tasks = 64;
+  const std::vector<Tree*>& children = sequence.sequence->children;
+  const Tree* first = follow(children[index]);
+  const std::size_t ahead = is_light(first->producer->node) ? small_tasks : static_cast<std::size_t>(most_workers_ - 1);
+  for (std::size_t i = index + 1; i < std::min(children.size(), index + ahead) && used_ < budget_ / 2; ++i) {
+    const Tree* next = follow(children[i]);
+    if (next->state == Tree::State::leaf && next->cheap && !next->value &&
+        next->producer->node == first->producer->node)
+      produce(*next->producer);
+  }
 }
 
 // --- values in memory
@@ -190,14 +185,14 @@ void Session::hold_value(Tree* leaf, Value value) {
   leaf->requests.clear();
   for (Task* task : requests)
     if (--task->missing == 0 && task->state == Task::State::wanted) enqueue(*task);
-  if (leaf->pins > 0) changed_.notify_all();
+  if (leaf->pins > 0) tell_blocked();
 }
 
 void Session::drop_value(Tree* leaf) {
   if (!leaf->value || leaf->source) return;
   used_ -= static_cast<std::int64_t>(leaf->bytes);
   leaf->value = {};
-  changed_.notify_all();
+  tell_blocked();
 }
 
 // Evicts until the budget holds: what the store has, and what only a gather will read one day; cheap values that a task
@@ -261,6 +256,7 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
   std::string failure;
   std::vector<OutputRecord> records;
   const auto begin = std::chrono::steady_clock::now();
+  double seconds = 0;
   bool found = false, stopped = false;
   try {
     if (!info.cheap) {
@@ -276,6 +272,7 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
         }
     }
     if (!found) compute(task, records, begin);
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   } catch (const PassDone&) {
     records.clear();
   } catch (const Stopped&) {
@@ -311,8 +308,8 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
       emit(RunEvent::Kind::reused, task);
     } else {
       if (!info.cheap) ++counts_.run;
-      emit(info.cheap ? RunEvent::Kind::made : RunEvent::Kind::finished, task, {},
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      if (info.cheap) note_pace(task.node, seconds);
+      emit(info.cheap ? RunEvent::Kind::made : RunEvent::Kind::finished, task, {}, seconds);
     }
     finish_task(task, records);
   }
@@ -430,6 +427,7 @@ void Session::accept_element(Task& task, std::size_t output, std::string id, Val
     leaf->pins = 0;
     drop_unused(leaf);
   }
+  wake_worker();
   if (task.repeated && !task.audited && ordinal % 32 == 31 && !wanted_from(task, output, ordinal + 1)) throw PassDone{};
   throttle(guard);
 }
@@ -503,7 +501,7 @@ void Session::fail_task(Task& task, const std::string& text) {
     fail_tree(output);
   }
   release_inputs(task);
-  changed_.notify_all();
+  tell_blocked();
   if (options_.fail_fast) stopped_ = true;
 }
 

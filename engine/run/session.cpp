@@ -22,6 +22,15 @@ Session::Session(const Graph& graph, Plugins& plugins, Store& store, const RunOp
   budget_ = options.memory_bytes > 0     ? options.memory_bytes
             : graph.run.memory_bytes > 0 ? graph.run.memory_bytes
                                          : half_of_memory();
+  paces_.resize(graph.nodes.size());
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const NodeInfo* info = graph.nodes[n].info;
+    paces_[n].simple =
+        info && info->cheap && !info->prior && info->structural == Structural::none &&
+        std::all_of(info->inputs.begin(), info->inputs.end(),
+                    [](const InputInfo& i) { return i.depth == 0 && !i.window && i.type != "file"; }) &&
+        std::all_of(info->outputs.begin(), info->outputs.end(), [](const OutputInfo& o) { return o.depth == 0; });
+  }
 }
 
 Session::~Session() {

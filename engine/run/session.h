@@ -188,8 +188,9 @@ class Session {
   std::vector<KeyPart> own_parts(const Task& task);   // without its inputs: version, plugin, parameters
   std::vector<KeyPart> shared_parts(int node_index);  // the same of a node without overrides
   std::string name_of(const Task& task) const;
-  // The value of a leaf: from memory, the store, or made anew. May wait; call without the lock.
-  Value fetch(Tree* leaf, const TypeInfo& type);
+  // The value of a leaf: from memory, the store, or made anew. May wait; call without the lock. `sequence`: the one it
+  // is read from in order, at `index`.
+  Value fetch(Tree* leaf, const TypeInfo& type, const Tree* sequence = nullptr, std::size_t index = 0);
   void count(RunResult& result);
   void finish_run(RunResult& result);  // counts, histories
   void note_failure(const std::string& text) { failures_.push_back(text); }
@@ -202,6 +203,7 @@ class Session {
   friend class Rearrangement;
   friend class Pick;
   friend class TaskCall;
+  friend class TaskProgress;
   friend class TreeAccess;
 
   // --- expand.cpp: trees
@@ -241,7 +243,10 @@ class Session {
   void launch(Task& task);
   void produce(Task& task);
   bool available(Tree* leaf);
+  void read_ahead(const Tree& sequence, std::size_t index);
   void enqueue(Task& task);
+  void wake_worker();
+  void tell_blocked();
   void worker();
   void start_worker();
   void join_workers();
@@ -249,6 +254,13 @@ class Session {
   void postpone(Task& task);
   void readmit();
   void run_task(Task& task, std::unique_lock<std::mutex>& guard);
+  // --- batch.cpp: cheap tasks of microseconds
+  bool is_light(int node) const;
+  bool suits_batch(const Task& task) const;
+  void note_pace(int node, double seconds_per_task);
+  void run_batch(std::unique_lock<std::mutex>& guard);
+  static std::uint32_t current_worker();
+  // --- execute.cpp
   void compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin);
   std::vector<OutputRecord> call_node(Task& task);
   void finish_task(Task& task, const std::vector<OutputRecord>& records);
@@ -289,6 +301,11 @@ class Session {
   };
   std::unordered_map<const Tree*, OpenedSource> opened_;
   std::map<int, Digest> prefixes_;
+  struct Pace {
+    bool simple = false;     // cheap, one value per port: what may run in a batch
+    std::uint8_t quick = 0;  // of the last eight tasks, or batches, those that took microseconds: a bit each
+  };
+  std::vector<Pace> paces_;  // per node
   std::deque<Task*> to_resolve_;
   bool draining_ = false;
 
@@ -302,14 +319,17 @@ class Session {
     bool operator<(const Postponed& other) const { return until > other.until; }
   };
   std::priority_queue<Postponed> held_;  // tasks whose key another process holds
-  std::condition_variable changed_;      // something became ready, was delivered, or memory fell
+  std::condition_variable work_;         // something became ready
+  std::condition_variable changed_;      // a value that somebody waits for is there, or memory fell
   std::condition_variable ended_;        // nothing is left to do, or something is wrong with the whole
   std::vector<std::thread> threads_;
   std::uint32_t started_workers_ = 0;
   int alive_ = 0;    // workers
   int active_ = 0;   // of them, those at work and not blocked
   int running_ = 0;  // tasks running, blocked ones included
-  int blocked_ = 0;  // threads waiting for a value or for memory
+  int sleeping_ = 0;  // workers that wait for a task
+  int napping_ = 0;   // of them, those that look again within a millisecond
+  int blocked_ = 0;   // threads waiting for a value or for memory
   int most_workers_ = 1;
   std::atomic<bool> stopped_ = false;  // written under the lock; running nodes look at it without
   std::int64_t budget_ = 0;

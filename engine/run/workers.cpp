@@ -7,6 +7,13 @@
 
 namespace engine::run {
 using namespace std::chrono_literals;
+namespace {
+
+thread_local std::uint32_t worker_number = 0;  // of this thread, from 1
+
+}  // namespace
+
+std::uint32_t Session::current_worker() { return worker_number; }
 
 // Depth first: what is nearest to the outputs, then what was made first.
 bool Session::Later::operator()(const Task* a, const Task* b) const {
@@ -16,7 +23,20 @@ bool Session::Later::operator()(const Task* a, const Task* b) const {
 void Session::enqueue(Task& task) {
   task.state = Task::State::ready;
   ready_.push(&task);
-  changed_.notify_all();
+}
+
+// Another worker takes what this thread will not take soon. One that naps looks by itself: waking it for each of many
+// small tasks would cost more than they do.
+void Session::wake_worker() {
+  constexpr std::size_t most_left_to_nappers = 512;
+  if (ready_.empty() || sleeping_ == 0 || active_ >= most_workers_) return;
+  if (napping_ > 0 && ready_.size() < most_left_to_nappers && is_light(ready_.top()->node)) return;
+  work_.notify_one();
+}
+
+// Whoever waits for a value, or for memory, looks again.
+void Session::tell_blocked() {
+  if (blocked_ > 0) changed_.notify_all();
 }
 
 // Another process computes the task: whatever else there is to do comes first, and the key is looked at now and then.
@@ -25,6 +45,7 @@ void Session::postpone(Task& task) {
   task.state = Task::State::ready;
   held_.push({std::chrono::steady_clock::now() + 2ms * (1 << std::min<int>(task.refusals, most_doublings)), &task});
   if (task.refusals < most_doublings) ++task.refusals;
+  if (sleeping_ > 0) work_.notify_one();  // it sleeps until the next is due
 }
 
 void Session::readmit() {
@@ -60,37 +81,60 @@ void Session::join_workers() {
 }
 
 void Session::worker() {
+  constexpr int naps = 16;
   std::unique_lock guard(mutex_);
-  const std::uint32_t number = ++started_workers_;
+  worker_number = ++started_workers_;
+  int naps_left = 0;  // small tasks were here, and more may come
   while (!stopped_) {
     readmit();
     if (ready_.empty() || active_ >= most_workers_) {
       if (idle()) break;
-      auto until = std::chrono::steady_clock::now() + 200ms;
+      const bool nap = naps_left > 0 && ready_.empty();
+      auto until = std::chrono::steady_clock::now() + (nap ? std::chrono::microseconds(500) : 200ms);
       if (ready_.empty() && !held_.empty()) until = std::min(until, held_.top().until);
-      changed_.wait_until(guard, until);
+      naps_left -= nap;
+      ++sleeping_;
+      napping_ += nap;
+      work_.wait_until(guard, until);
+      napping_ -= nap;
+      --sleeping_;
       continue;
     }
-    Task* task = ready_.top();
-    ready_.pop();
     ++active_;
     ++running_;
-    task->worker = number;
-    try {
-      run_task(*task, guard);
-    } catch (...) {
-      // Of the engine's own work around the task: the store, or no memory.
-      if (!guard.owns_lock()) guard.lock();
-      if (!fatal_) fatal_ = std::current_exception();
-      task->state = Task::State::failed;
+    if (suits_batch(*ready_.top())) {
+      naps_left = naps;
+      try {
+        run_batch(guard);
+      } catch (...) {
+        if (!guard.owns_lock()) guard.lock();
+        if (!fatal_) fatal_ = std::current_exception();
+      }
+    } else {
+      Task* task = ready_.top();
+      ready_.pop();
+      wake_worker();
+      task->worker = worker_number;
+      try {
+        run_task(*task, guard);
+      } catch (...) {
+        // Of the engine's own work around the task: the store, or no memory.
+        if (!guard.owns_lock()) guard.lock();
+        if (!fatal_) fatal_ = std::current_exception();
+        task->state = Task::State::failed;
+      }
     }
     --running_;
     --active_;
-    changed_.notify_all();
-    if (fatal_ || idle()) ended_.notify_all();
+    tell_blocked();
+    if (fatal_ || idle()) {
+      ended_.notify_all();
+      work_.notify_all();
+    }
   }
   --alive_;
-  changed_.notify_all();
+  tell_blocked();
+  wake_worker();
   ended_.notify_all();
 }
 
@@ -102,6 +146,7 @@ void Session::work() {
     if (options_.stop_requested && options_.stop_requested()) stopped_ = true;
   }
   if (fatal_) stopped_ = true;
+  work_.notify_all();
   changed_.notify_all();
   // A node that does not look at its stop request would hold the process: whoever asked for the stop may leave at once.
   const auto patience = std::chrono::steady_clock::now() + 700ms;
@@ -126,6 +171,7 @@ void Session::wait_blocked(std::unique_lock<std::mutex>& guard, const std::funct
   if (alive_ - blocked_ - 1 < most_workers_ && !stopped_) start_worker();
   ++blocked_;
   --active_;
+  if (!ready_.empty()) work_.notify_one();
   changed_.notify_all();
   while (!until() && !stopped_) changed_.wait_for(guard, 200ms);
   ++active_;
