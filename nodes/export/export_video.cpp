@@ -44,6 +44,8 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
   settings.mean_rate_hz = count / (timeline.duration_s - timeline.time_s.front());
   settings.quality = options.quality;
   settings.audio_kbit_per_s = options.audio_kbit_per_s;
+  const std::string folder = progress.scratch_folder();
+  if (!folder.empty()) settings.path = folder + "/video.mp4";
   std::vector<float> sound;
   if (audio != nullptr) {
     check(audio->rate_hz > 0 && audio->rate_hz == std::floor(audio->rate_hz), "the sound has ", audio->rate_hz,
@@ -81,7 +83,8 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
     check(!progress.stop_requested(), "stopped");
     progress.report(static_cast<double>(i + 1) / count);
   }
-  return engine::File::from_bytes(writer->finish(), ".mp4");
+  std::string bytes = writer->finish();
+  return settings.path.empty() ? engine::File::from_bytes(std::move(bytes), ".mp4") : engine::File::at(settings.path);
 }
 
 }  // namespace face::exports

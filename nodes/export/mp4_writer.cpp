@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <vector>
@@ -37,21 +38,44 @@ T* required(T* pointer, const char* what) {
   return pointer;
 }
 
-// The file in memory, as FFmpeg writes and seeks in it.
-struct MemoryFile {
+// The file, as FFmpeg writes and seeks in it: bytes in memory, or on disk where a path is given (ten minutes without
+// loss are gigabytes).
+struct OpenFile {
   std::string bytes;
   std::int64_t position = 0;
+  std::FILE* disk = nullptr;
+
+  OpenFile() = default;
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { close(); }
+
+  void open(const std::string& path) {
+    disk = std::fopen(path.c_str(), "wb");
+    check(disk != nullptr, "the video could not be written: cannot open ", path);
+  }
+  bool close() {
+    const bool good = disk == nullptr || std::fclose(disk) == 0;
+    disk = nullptr;
+    return good;
+  }
 
   static int write(void* opaque, std::uint8_t* data, int size) {
-    auto& file = *static_cast<MemoryFile*>(opaque);
-    const auto end = static_cast<std::size_t>(file.position + size);
+    auto& file = *static_cast<OpenFile*>(opaque);
+    const auto count = static_cast<std::size_t>(size);
+    if (file.disk != nullptr) return std::fwrite(data, 1, count, file.disk) == count ? size : AVERROR(EIO);
+    const auto end = static_cast<std::size_t>(file.position) + count;
     if (file.bytes.size() < end) file.bytes.resize(end);
-    std::memcpy(file.bytes.data() + file.position, data, static_cast<std::size_t>(size));
+    std::memcpy(file.bytes.data() + file.position, data, count);
     file.position += size;
     return size;
   }
   static std::int64_t seek(void* opaque, std::int64_t offset, int whence) {
-    auto& file = *static_cast<MemoryFile*>(opaque);
+    auto& file = *static_cast<OpenFile*>(opaque);
+    if (file.disk != nullptr) {
+      if (whence == AVSEEK_SIZE) return AVERROR(ENOSYS);
+      return ::fseeko(file.disk, offset, whence) == 0 ? ::ftello(file.disk) : AVERROR(EIO);
+    }
     const auto size = static_cast<std::int64_t>(file.bytes.size());
     if (whence == AVSEEK_SIZE) return size;
     file.position = whence == SEEK_CUR ? file.position + offset : whence == SEEK_END ? size + offset : offset;
@@ -63,7 +87,7 @@ struct MemoryFile {
 
 struct Mp4Writer::State {
   Settings settings;
-  MemoryFile file;
+  OpenFile file;
   AVFormatContext* format = nullptr;
   AVCodecContext* video = nullptr;
   AVCodecContext* audio = nullptr;
@@ -91,12 +115,12 @@ struct Mp4Writer::State {
   }
 
   void open_format() {
+    if (!settings.path.empty()) file.open(settings.path);
     require(avformat_alloc_output_context2(&format, nullptr, "mp4", nullptr), "opening the MP4 writer");
     constexpr int buffer_size = 1 << 16;
     auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
-    format->pb =
-        required(avio_alloc_context(buffer, buffer_size, 1, &file, nullptr, &MemoryFile::write, &MemoryFile::seek),
-                 "out of memory");
+    format->pb = required(avio_alloc_context(buffer, buffer_size, 1, &file, nullptr, &OpenFile::write, &OpenFile::seek),
+                          "out of memory");
     format->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
   }
 
@@ -259,6 +283,8 @@ std::string Mp4Writer::finish() {
   }
   require(av_write_trailer(s.format), "writing the index");
   avio_flush(s.format->pb);
+  require(s.format->pb->error, "writing");
+  check(s.file.close(), "the video could not be written: closing ", s.settings.path, " failed");
   return std::move(s.file.bytes);
 }
 

@@ -8,7 +8,7 @@
 
 namespace face::exports {
 
-// An MP4 file in memory, by FFmpeg's libraries.
+// An MP4 file, by FFmpeg's libraries: in memory, or on disk where it is given a path.
 class Mp4Writer {
  public:
   struct Settings {
@@ -19,6 +19,7 @@ class Mp4Writer {
     int quality = 18;
     int audio_rate_hz = 0;  // 0: no sound
     int audio_kbit_per_s = 96;
+    std::string path;  // of the file to write; empty: in memory
   };
   explicit Mp4Writer(const Settings& settings);
   ~Mp4Writer();
@@ -27,7 +28,7 @@ class Mp4Writer {
 
   void add_picture(const Image& image, double start_s, double end_s);
   void add_sound(const float* samples, std::int64_t count);
-  // Writes what encoders still hold, and the index. Once, at the end.
+  // Writes what encoders still hold, and the index. Once, at the end. Returns the bytes of a file in memory.
   std::string finish();
 
  private:

@@ -195,6 +195,24 @@ TEST(ExportVideo, GivesTheSameBytesTwice) {
             written(pictures(25), regular(25, 25), &audio).bytes());
 }
 
+TEST(ExportVideo, WritesTheSameBytesToTheScratchFolder) {
+  class Folder final : public engine::Progress {
+   public:
+    std::string scratch_folder() override { return path; }
+    std::string path = testing::TempDir() + "export_video_test";
+  } progress;
+  std::filesystem::create_directories(progress.path);
+  const Audio sound = tone(1.0);
+  engine::Progress nowhere;
+  const engine::File in_memory = export_video(pictures(30), regular(30, 30), &sound, {}, nowhere);
+  const engine::File on_disk = export_video(pictures(30), regular(30, 30), &sound, {}, progress);
+  ASSERT_FALSE(on_disk.in_memory());
+  EXPECT_EQ(on_disk.suffix(), ".mp4");
+  std::ifstream file(on_disk.path(), std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), in_memory.bytes());
+  std::filesystem::remove_all(progress.path);
+}
+
 TEST(ExportVideo, WritesASinglePicture) {
   const Audio audio = tone(0.04);
   const Found found = read_back(written(pictures(1), regular(1, 25), &audio).bytes());
