@@ -50,9 +50,14 @@ std::vector<Part> plain_parts(const Obj& obj) {
 
 bool is_obj_rig(const engine::File& folder) { return find_neutral(folder) != nullptr; }
 
-Rig read_obj_rig(const engine::File& folder, const ShapeNames& names, LengthUnit unit) {
+const engine::File::Entry& obj_rig_neutral(const engine::File& folder) {
   const engine::File::Entry* neutral = find_neutral(folder);
   check(neutral != nullptr, title_of(folder), ": holds no ", neutral_names[0]);
+  return *neutral;
+}
+
+Rig read_obj_rig(const engine::File& folder, const ShapeNames& names, LengthUnit unit) {
+  const engine::File::Entry* neutral = &obj_rig_neutral(folder);
   const Obj obj = read_obj(read_bytes_at(neutral->path, neutral->name), neutral->name);
   if (obj.points.empty() || obj.corners.empty())
     fail(neutral->name, ": has ", obj.points.size(), " vertices and ", obj.polygon_starts.size() - 1,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/phantom/make_person.h"
 
-#include <optional>
-
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
 #include "nodes/phantom/face_places.h"
@@ -23,12 +21,20 @@ double trimmed_normal(Random& random) {
   return value;
 }
 
-Matrix random_coefficients(const ShapeSet* modes, const MakePersonOptions& options) {
+// Which person: the seed, and where there is an id another one for each (FNV-1a, Fowler, Noll and Vo).
+std::int64_t person_seed(std::int64_t seed, const std::string* id) {
+  if (!id) return seed;
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  for (const char c : *id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+  return static_cast<std::int64_t>((hash ^ static_cast<std::uint64_t>(seed)) >> 1);
+}
+
+Matrix random_coefficients(const ShapeSet* modes, std::int64_t seed, double spread) {
   const std::size_t count = modes ? modes->shapes.size() : 0;
   Matrix coefficients{1, count, std::vector<double>(count)};
-  Random random = series(options.seed, 1);
+  Random random = series(seed, 1);
   // Rounded to float: what the vertices were moved by, exactly.
-  for (double& value : coefficients.values) value = static_cast<float>(options.spread * trimmed_normal(random));
+  for (double& value : coefficients.values) value = static_cast<float>(spread * trimmed_normal(random));
   return coefficients;
 }
 
@@ -44,28 +50,30 @@ void check_modes(const Rig& rig, const ShapeSet& modes) {
 
 }  // namespace
 
-MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const MakePersonOptions& options) {
+MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const std::string* id,
+                             const MakePersonOptions& options) {
   check(options.spread >= 0, "spread is ", options.spread, ", expected at least 0");
   check(options.warp_mm >= 0, "warp_mm is ", options.warp_mm, ", expected at least 0");
   check(options.marker_radius_mm > 0, "marker_radius_mm is ", options.marker_radius_mm, ", expected more than 0");
   if (modes) check_modes(rig, *modes);
   MakePersonResult result;
+  const std::int64_t seed = person_seed(options.seed, id);
   result.person = rig;
   Rig& person = result.person;
-  result.coefficients = random_coefficients(modes, options);
+  result.coefficients = random_coefficients(modes, seed, options.spread);
   for (std::size_t k = 0; k < result.coefficients.columns; ++k)
     if (result.coefficients.at(0, k) != 0)
       add_shape(modes->shapes[k], static_cast<float>(result.coefficients.at(0, k)), person.neutral.points_mm);
-  if (options.warp_mm > 0) result.warp_mm = warp_person(options.seed, options.warp_mm, person);
+  if (options.warp_mm > 0) result.warp_mm = warp_person(seed, options.warp_mm, person);
   if (options.warp_mm > 0 || options.spread > 0) shut_lids(rig, person);
 
   if (!options.skin && !options.moles && !options.lipstick && !options.painted && options.markers == Markers::none)
     return result;
   const FacePlaces places(rig);
-  if (options.skin) color_person(rig.neutral, places, {options.seed, options.beard}, person.neutral);
-  if (options.lipstick) put_lipstick(rig.neutral, places, options.seed, person.neutral);
-  if (options.painted) paint_person(options.seed, person.neutral);
-  if (options.moles) result.dots = random_moles(rig, places, options.seed);
+  if (options.skin) color_person(rig.neutral, places, {seed, options.beard}, person.neutral);
+  if (options.lipstick) put_lipstick(rig.neutral, places, seed, person.neutral);
+  if (options.painted) paint_person(seed, person.neutral);
+  if (options.moles) result.dots = random_moles(rig, places, seed);
   if (options.markers != Markers::none) {
     const Vector3 white = {0.97, 0.97, 0.96}, black = {0.03, 0.03, 0.03};
     result.markers =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "nodes/types/matrix.h"
 #include "nodes/types/rig.h"
@@ -33,7 +34,10 @@ struct MakePersonResult {
 };
 
 // A person after a rig: identity modes with random coefficients, a smooth warp that no linear model contains, and a
-// skin. modes: null = none.
-MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const MakePersonOptions& options = {});
+// skin. Bit for bit the same for a seed; each of the options' parts is drawn by itself, so that none changes another.
+// modes: null = none. id: the person's, where one node makes many (seq.ids): every id is another person; may be null.
+// Skin, dots, markers and lipstick are placed by the rig's 68 landmarks and throw without them.
+MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const std::string* id,
+                             const MakePersonOptions& options = {});
 
 }  // namespace face::phantom
