@@ -62,6 +62,26 @@ TEST_F(Running, CheapValuesAreMadeOnceAndNotAgainOnANoOp) {
   EXPECT_EQ(started, 0u);
 }
 
+TEST_F(Running, ThirtySixThousandCheapFramesRunNothingOnANoOp) {
+  const std::string nodes = R"("numbers": {"node": "toy.count_up", "params": {"count": 36000}},
+"frames": {"node": "toy.cheap_blob", "inputs": {"number": "numbers"}, "params": {"size_mb": 0.00003}},
+"size": {"node": "toy.total_size", "inputs": {"blobs": "frames"}},
+"shown": {"node": "toy.number_text", "inputs": {"number": "size"}},
+"all": {"node": "toy.write_text", "inputs": {"text": "shown"}})";
+  std::size_t started = 0, made = 0;
+  engine::RunOptions options;
+  options.observer = [&](const engine::RunEvent& event) {
+    started += event.kind == engine::RunEvent::Kind::started;
+    made += event.kind == engine::RunEvent::Kind::made;
+  };
+  EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")"), options).tasks.run, 3u);  // size, shown, all
+  EXPECT_EQ(made, 36'001u);  // numbers, and every frame
+  EXPECT_EQ(out("all.txt"), "1080000");
+  started = 0;
+  EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")"), options).tasks.run, 0u);
+  EXPECT_EQ(started, 0u);
+}
+
 TEST_F(Running, AGatherReadsACheapSequenceInOnePass) {
   const std::string nodes = R"("numbers": {"node": "toy.count_up", "params": {"count": 500}},
 "total": {"node": "toy.sum_all", "inputs": {"numbers": "numbers"}},
