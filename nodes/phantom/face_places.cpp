@@ -109,13 +109,13 @@ double FacePlaces::beard(Vector3 p) const {
   const double mouth_half = 0.5 * (marks_[54].x - marks_[48].x), face_half = 0.5 * (marks_[16].x - marks_[0].x);
   const double eye_y = 0.5 * (marks_[36].y + marks_[45].y), x = std::abs(p.x - middle_x);
   // Its upper border rises from below the mouth's corners to the ears.
-  const double border = mouth_y - 5 + (eye_y - mouth_y) * square(smooth_step(0.40, 1.0, x / face_half));
-  const double jaw = smooth_step(border + 9, border - 9, p.y);
+  const double border = mouth_y - 6 + 0.8 * (eye_y - mouth_y) * square(smooth_step(0.45, 1.05, x / face_half));
+  const double jaw = smooth_step(border + 14, border - 16, p.y);
   const double moustache = smooth_step(nose_y + 1, nose_y - 5, p.y) * smooth_step(1.35, 1.0, x / mouth_half) *
                            smooth_step(mouth_y - 12, mouth_y, p.y);
   const double throat = smooth_step(chin_y - 34, chin_y - 6, p.y);
   return std::max(jaw * throat, 0.9 * moustache) * smooth_step(0.2, 2.4, from_lips_mm(p)) *
-         smooth_step(ends_z - 22, ends_z + 6, p.z);
+         smooth_step(ends_z - 26, ends_z + 18, p.z);
 }
 
 }  // namespace face::phantom

@@ -28,7 +28,7 @@ constexpr std::array<Hair, 7> kHair = {{{{0.075, 0.06, 0.055}, 0, 1, 4},
                                         {{0.27, 0.17, 0.11}, 0.3, 1, 3},
                                         {{0.40, 0.265, 0.165}, 0.5, 1, 3},
                                         {{0.62, 0.47, 0.29}, 0.65, 1, 3},
-                                        {{0.50, 0.22, 0.10}, 0.7, 1, 1},
+                                        {{0.41, 0.21, 0.115}, 0.7, 1, 1},
                                         {{0.55, 0.53, 0.51}, 0, 1, 2}}};
 constexpr std::array<Vector3, 5> kIris = {
     {{0.20, 0.105, 0.05}, {0.33, 0.20, 0.09}, {0.36, 0.34, 0.16}, {0.30, 0.42, 0.46}, {0.25, 0.38, 0.55}}};
@@ -93,7 +93,7 @@ Complexion random_complexion(const PersonSkinOptions& options, Vector3 rig_skin)
   look.tone = skin_tone(options.seed);
   look.tint = ratio(look.tone.color_srgb, rig_skin);
   Random random = series(options.seed, 4);
-  const double red = random.uniform(0.8, 1.15);
+  const double red = random.uniform(0.96, 1.2);
   look.lip_tint = {std::pow(look.tint.x, 0.75), std::pow(look.tint.y, 0.9) / red, std::pow(look.tint.z, 0.8) / red};
   look.blush = random.uniform(-0.25, 0.9);
   look.shade_under_eyes = random.uniform(0, 0.30);
@@ -118,7 +118,7 @@ Vector3 skin_color(const Complexion& look, const FacePlaces& places, const Noise
   const double cheek_y = 0.55 * places.mark(30).y + 0.45 * places.mark(33).y;
   const double half = 0.5 * (places.mark(45).x - places.mark(36).x), middle = places.mark(33).x;
   const double cheek = bell(std::abs(p.x - middle) - 0.95 * half, 0.38 * half) * bell(p.y - cheek_y, 15) * front;
-  color = product(color, lerp({1, 1, 1}, {0.985, 0.86, 0.85}, look.blush * cheek));
+  color = product(color, lerp({1, 1, 1}, {0.99, 0.91, 0.90}, look.blush * cheek));
   for (const auto& [low, inner] : {std::pair{40, 41}, std::pair{46, 47}}) {
     const Vector3 under =
         0.5 * (places.mark(static_cast<std::size_t>(low)) + places.mark(static_cast<std::size_t>(inner)));
@@ -142,7 +142,7 @@ double painted_brow(const FacePlaces& places, Vector3 p, Vector3 color, Vector3 
 SkinTone skin_tone(std::int64_t seed) {
   Random random = series(seed, 3);
   SkinTone tone;
-  tone.lightness = random.uniform();
+  tone.lightness = std::pow(random.uniform(), 0.8);  // more light ones than dark ones
   const double place = tone.lightness * (kTones.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(place), kTones.size() - 2);
   tone.color_srgb = lerp(kTones[k], kTones[k + 1], place - static_cast<double>(k));
