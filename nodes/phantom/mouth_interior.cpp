@@ -18,25 +18,25 @@ constexpr Arch kUpperArch = {26.5, 42, 105.2, -36.0, 1};
 constexpr Arch kLowerArch = {24.6, 40, 102.6, -36.9, -1};
 
 // Crowns from the middle to the back: width, height, thickness at the gum, thickness at the edge, roundness of the
-// edge.
+// edge, and how far the edge stays behind the line of the front ones: rows curve away from each other towards the back.
 struct Tooth {
-  double width, height, root_mm, edge_mm, round_mm;
+  double width, height, root_mm, edge_mm, round_mm, behind_mm;
 };
-constexpr std::array<Tooth, 7> kUpperTeeth = {{{8.8, 10.6, 6.5, 2.2, 0.7},
-                                               {6.9, 9.4, 6.0, 2.2, 0.9},
-                                               {7.6, 10.2, 6.8, 3.0, 1.8},
-                                               {7.0, 8.6, 8.0, 6.0, 1.4},
-                                               {6.8, 8.0, 8.5, 6.8, 1.2},
-                                               {9.8, 7.4, 10.0, 8.6, 1.0},
-                                               {9.4, 7.0, 10.0, 8.6, 1.0}}};
-constexpr std::array<Tooth, 7> kLowerTeeth = {{{5.6, 8.8, 5.6, 2.0, 0.6},
-                                               {6.1, 8.8, 5.8, 2.0, 0.7},
-                                               {6.9, 9.8, 6.5, 2.8, 1.5},
-                                               {7.0, 8.4, 7.5, 5.6, 1.2},
-                                               {7.0, 7.8, 8.0, 6.4, 1.1},
-                                               {10.4, 7.2, 9.6, 8.4, 1.0},
-                                               {10.0, 7.0, 9.6, 8.4, 1.0}}};
-constexpr Vector3 kEnamel = {0.96, 0.93, 0.86}, kEnamelRoot = {0.93, 0.84, 0.72};
+constexpr std::array<Tooth, 7> kUpperTeeth = {{{8.8, 10.6, 6.5, 2.2, 0.7, 0},
+                                               {6.9, 9.4, 6.0, 2.2, 0.9, 0},
+                                               {7.6, 10.2, 6.8, 3.0, 1.8, 0},
+                                               {7.0, 8.6, 8.0, 6.0, 1.4, 0.2},
+                                               {6.8, 8.0, 8.5, 6.8, 1.2, 0.4},
+                                               {9.8, 7.4, 10.0, 8.6, 1.0, 0.8},
+                                               {9.4, 7.0, 10.0, 8.6, 1.0, 1.3}}};
+constexpr std::array<Tooth, 7> kLowerTeeth = {{{5.6, 8.8, 5.6, 2.0, 0.6, 0},
+                                               {6.1, 8.8, 5.8, 2.0, 0.7, 0},
+                                               {6.9, 9.8, 6.5, 2.8, 1.5, 0},
+                                               {7.0, 8.4, 7.5, 5.6, 1.2, 0.5},
+                                               {7.0, 7.8, 8.0, 6.4, 1.1, 1.1},
+                                               {10.4, 7.2, 9.6, 8.4, 1.0, 2.0},
+                                               {10.0, 7.0, 9.6, 8.4, 1.0, 3.0}}};
+constexpr Vector3 kEnamel = {0.96, 0.93, 0.86}, kEnamelRoot = {0.93, 0.84, 0.72}, kEnamelFar = {0.66, 0.50, 0.42};
 constexpr Vector3 kGum = {0.80, 0.42, 0.42}, kGumDeep = {0.55, 0.22, 0.23};
 constexpr Vector3 kTongue = {0.84, 0.43, 0.43}, kTongueDeep = {0.55, 0.20, 0.22};
 
@@ -64,7 +64,11 @@ double arch_angle(const Arch& arch, double length_mm) {
 constexpr std::uint32_t kToothColumns = 10;
 constexpr std::array<double, 6> kToothRows = {-0.15, 0.1, 0.4, 0.72, 0.91, 0.985};  // gum to edge
 
-void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Place& place) {
+void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, Place place) {
+  place.front.y += arch.down * tooth.behind_mm;
+  // Little light reaches the back of the mouth, and the molars are the darker teeth anyway.
+  const double shade = smooth_step(98, 66, place.front.z);
+  const Vector3 enamel = lerp(kEnamel, kEnamelFar, shade), root = lerp(kEnamelRoot, kEnamelFar, shade);
   const std::uint32_t first = head.vertex_count();
   for (const double t : kToothRows) {
     const double thick = lerp(tooth.root_mm, tooth.edge_mm, std::pow(std::clamp(t, 0.0, 1.0), 0.8));
@@ -82,11 +86,11 @@ void add_tooth(HeadBuilder& head, const Arch& arch, const Tooth& tooth, const Pl
           tooth.height * (1 - t) + tooth.round_mm * square(x / (0.5 * tooth.width)) * smooth_step(0.5, 1, t);
       const double bulge = 0.5 * std::sin(kPi * std::clamp(t, 0.0, 1.0)) - 0.6 * (1 - t);
       const Vector3 at = place.front + place.along * x + place.outward * (bulge - back) + Vector3{0, arch.down * y, 0};
-      head.add_vertex(at, lerp(kEnamelRoot, kEnamel, smooth_step(-0.05, 0.35, t)));
+      head.add_vertex(at, lerp(root, enamel, smooth_step(-0.05, 0.35, t)));
     }
   }
   const std::uint32_t tip = head.add_vertex(
-      place.front - place.outward * (0.5 * tooth.edge_mm) + Vector3{0, arch.down * 0.012 * tooth.height, 0}, kEnamel);
+      place.front - place.outward * (0.5 * tooth.edge_mm) + Vector3{0, arch.down * 0.012 * tooth.height, 0}, enamel);
   const auto rows = static_cast<std::uint32_t>(kToothRows.size());
   add_grid(head, first, rows, kToothColumns, true);
   const std::uint32_t last = first + (rows - 1) * kToothColumns;
