@@ -29,6 +29,10 @@ target_link_libraries(flite INTERFACE ${FLITE_LIBRARY})
 add_library(opencv INTERFACE IMPORTED)
 target_include_directories(opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(opencv INTERFACE ${OpenCV_LIBS})
+# Its contributed flows (TV-L1), for who compares with them; the same Debian package.
+add_library(opencv_optflow_only INTERFACE IMPORTED)
+find_library(OPENCV_OPTFLOW_LIBRARY opencv_optflow REQUIRED)
+target_link_libraries(opencv_optflow_only INTERFACE ${OPENCV_OPTFLOW_LIBRARY})
 
 if(FACEGRAPH_TESTS)
   find_package(GTest REQUIRED)
