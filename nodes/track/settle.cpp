@@ -13,13 +13,24 @@ namespace {
 
 using Place = std::complex<double>;
 
+struct Layout {
+  std::vector<Place> places;
+  Place turn = 1;  // rotation and scale since the start
+};
+
 // The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two
-// dimensions as complex numbers), applied to all. A translation where fewer than two are seen.
-std::vector<Place> carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings) {
+// dimensions as complex numbers), applied to all. A translation where fewer than two are seen. Where two rigid points
+// are seen, these alone decide.
+Layout carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings,
+                    const std::vector<std::size_t>& rigid) {
+  const auto is_seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
+  const bool by_rigid = std::count_if(rigid.begin(), rigid.end(), is_seen) >= 2;
   Place start_mean = 0, seen_mean = 0, product = 0;
   double count = 0, square = 0;
   const auto at = [&](std::size_t i) { return Place(start.points[i].x_px, start.points[i].y_px); };
-  const auto seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
+  const auto seen = [&](std::size_t i) {
+    return is_seen(i) && (!by_rigid || std::find(rigid.begin(), rigid.end(), i) != rigid.end());
+  };
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     if (!seen(i)) continue;
     start_mean += at(i);
@@ -32,9 +43,9 @@ std::vector<Place> carry_layout(const Landmarks& start, const std::vector<Sighti
     product += std::conj(at(i) - start_mean) * (Place(sightings[i].x_px, sightings[i].y_px) - seen_mean);
     square += std::norm(at(i) - start_mean);
   }
-  const Place turn = count > 1 && square > 0 ? product / square : Place(1);
-  std::vector<Place> out;
-  for (std::size_t i = 0; i < sightings.size(); ++i) out.push_back(seen_mean + turn * (at(i) - start_mean));
+  Layout out;
+  if (count > 1 && square > 0) out.turn = product / square;
+  for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(seen_mean + out.turn * (at(i) - start_mean));
   return out;
 }
 
@@ -56,46 +67,66 @@ double median_spacing(const Landmarks& start) {
 
 }  // namespace
 
-std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>& sightings, double stiffness) {
+std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>& sightings, const Bonds& bonds) {
   check(sightings.size() == start.points.size(), "sightings has ", sightings.size(), " points, start has ",
         start.points.size());
   const std::size_t count = sightings.size();
   if (count == 0) return {};
-  const std::vector<Place> layout = carry_layout(start, sightings);
+  const Layout layout = carry_layout(start, sightings, bonds.rigid);
   const double spacing = median_spacing(start);
 
-  // Unknowns: offsets from the layout, x then y of each point.
-  const auto size = static_cast<Eigen::Index>(2 * count);
-  Eigen::MatrixXd a =
-      Eigen::MatrixXd::Identity(size, size) * 1e-9;  // a point with neither sighting nor neighbour: the layout's
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+  // Unknowns: offsets from the layout, x then y of each point; then the size of each mode.
+  const auto size = static_cast<Eigen::Index>(2 * count), modes = static_cast<Eigen::Index>(bonds.modes.size());
+  Eigen::MatrixXd shapes(size, modes);
+  for (Eigen::Index k = 0; k < modes; ++k) {
+    const auto& mode = bonds.modes[static_cast<std::size_t>(k)];
+    check(mode.size() == 2 * count, "mode ", k, " has ", mode.size(), " entries, expected ", 2 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Place move = layout.turn * Place(mode[2 * i], mode[2 * i + 1]);
+      shapes(static_cast<Eigen::Index>(2 * i), k) = move.real();
+      shapes(static_cast<Eigen::Index>(2 * i + 1), k) = move.imag();
+    }
+  }
+  // Springs on what the modes do not explain. A point with neither sighting nor neighbour stays with the layout.
+  Eigen::MatrixXd springs = Eigen::MatrixXd::Identity(size, size) * 1e-9;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const double d = start_distance(start, i, j) / spacing;
+      const double spring = std::max(bonds.stiffness, 1e-6) * std::exp(-0.5 * d * d);
+      for (Eigen::Index k = 0; k < 2; ++k) {
+        const Eigen::Index p = static_cast<Eigen::Index>(2 * i) + k, q = static_cast<Eigen::Index>(2 * j) + k;
+        springs(p, p) += spring;
+        springs(q, q) += spring;
+        springs(p, q) -= spring;
+        springs(q, p) -= spring;
+      }
+    }
+  for (Eigen::Index p = 0; p < size && modes > 0; ++p)
+    if (shapes.row(p - p % 2).squaredNorm() + shapes.row(p - p % 2 + 1).squaredNorm() > 0)
+      springs(p, p) += 1 / (bonds.slack_px * bonds.slack_px);
+
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size + modes, size + modes);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(size + modes);
+  a.topLeftCorner(size, size) = springs;
+  a.topRightCorner(size, modes) = -springs * shapes;
+  a.bottomLeftCorner(modes, size) = a.topRightCorner(size, modes).transpose();
+  a.bottomRightCorner(modes, modes) = shapes.transpose() * springs * shapes + Eigen::MatrixXd::Identity(modes, modes);
   for (std::size_t i = 0; i < count; ++i) {
     const auto x = static_cast<Eigen::Index>(2 * i), y = x + 1;
     const Sighting& s = sightings[i];
-    const double ox = s.x_px - layout[i].real(), oy = s.y_px - layout[i].imag();
+    const double ox = s.x_px - layout.places[i].real(), oy = s.y_px - layout.places[i].imag();
     a(x, x) += s.xx;
     a(x, y) += s.xy;
     a(y, x) += s.xy;
     a(y, y) += s.yy;
     b(x) += s.xx * ox + s.xy * oy;
     b(y) += s.xy * ox + s.yy * oy;
-    for (std::size_t j = i + 1; j < count; ++j) {
-      const double d = start_distance(start, i, j) / spacing;
-      const double spring = std::max(stiffness, 1e-6) * std::exp(-0.5 * d * d);
-      for (Eigen::Index k = 0; k < 2; ++k) {
-        const Eigen::Index p = x + k, q = static_cast<Eigen::Index>(2 * j) + k;
-        a(p, p) += spring;
-        a(q, q) += spring;
-        a(p, q) -= spring;
-        a(q, p) -= spring;
-      }
-    }
   }
   const Eigen::VectorXd offset = a.ldlt().solve(b);
   std::vector<Sighting> out = sightings;
   for (std::size_t i = 0; i < count; ++i) {
-    out[i].x_px = layout[i].real() + offset(static_cast<Eigen::Index>(2 * i));
-    out[i].y_px = layout[i].imag() + offset(static_cast<Eigen::Index>(2 * i + 1));
+    out[i].x_px = layout.places[i].real() + offset(static_cast<Eigen::Index>(2 * i));
+    out[i].y_px = layout.places[i].imag() + offset(static_cast<Eigen::Index>(2 * i + 1));
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include "engine/port.h"
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 
 namespace face::track {
 
@@ -20,29 +21,44 @@ struct TrackKltOptions {
   double max_anchor_px = 1.5;  // how far a point may be moved to its own patch
   std::vector<std::string> rigid = {"eye_inner_r", "eye_inner_l", "nose_tip"};  // points that always look alike
   double search_px = 5;  // how far from where it should be a lost point is looked for
+  // The outer edge of the lips in order, a corner of the mouth first and the other half way round; {} = no such edge.
+  std::vector<std::string> outline = {"lip_0", "lip_1", "lip_2", "lip_3", "lip_4",  "lip_5",
+                                      "lip_6", "lip_7", "lip_8", "lip_9", "lip_10", "lip_11"};
+  double edge_reach_px = 4;  // how far from where it is expected the edge of the lips is looked for
 };
 
 struct TrackKltResult {
-  Landmarks landmarks;         // in the order of the start points
-  Landmarks layout;            // the start points with what corrections said: how the points lie to each other at rest
-  Image patches;               // grey; the patch of every point where it was last placed by hand, side by side
-  double lost = 0;             // points that are not valid in this frame
+  Landmarks landmarks;  // in the order of the start points
+  Landmarks followed;   // the same as if nobody had put anything right
+  Landmarks put_right;  // the points that corrections placed, in this or an earlier frame, where they are now; by name
+  Landmarks layout;     // the start points with what corrections said: how the points lie to each other at rest
+  Matrix look;          // what the edge of the lips looks like (outline.h); 0 x 0 without an outline
+  Image patches;        // grey; every point's patch at the start, and below where a correction placed it; side by side
+  Image face;           // grey, small; what is looked for when everything was lost
+  Matrix confidence;    // points x 1; 0 = lost, 1 = looks as where it was placed
+  std::string state;    // start, followed, found (again), cut (another picture than before), even (black, white), lost
+  bool valid = true;    // at least a third of the points is seen
+  double lost = 0;      // points that are not valid in this frame
   double return_error_px = 0;  // largest there-and-back error of the points that were kept
 };
 
-// Follows points from the previous frame to this one by pyramidal KLT (Lucas and Kanade, An Iterative Image
-// Registration Technique, IJCAI 1981; Bouguet, Pyramidal Implementation of the Lucas Kanade Feature Tracker, Intel
-// 2000). frames: the previous frame and this one (window 1, 0). start: the points on the first frame. correction:
-// points of this frame that somebody put right, by name; null where there are none. prior: this function's result for
-// the previous frame.
+// Follows points from the previous frame to this one. frames: the previous frame and this one (window 1, 0). start: the
+// points on the first frame. correction: points of this frame that somebody put right, by name; null where there are
+// none. prior: this function's result for the previous frame. At the first frame the result is `start`.
 //
-// At the first frame the result is `start`. A correction replaces a point from its frame on. A point that does not come
-// home when it is followed back (Kalal, Mikolajczyk, Matas: Forward-Backward Error, ICPR 2010), or that leaves its
-// neighbours, is not valid and keeps its last good place; it is looked for again in every later frame, near where the
-// other points say that it is, by the patch that it had where it was last placed by hand. Differs from plain KLT:
-// points on contours are kept from sliding along them (settle.h), and against drift a point whose own patch is seen
-// again near its place goes there. A rigid point is valid only while its own patch is seen: the corner of an eye would
-// follow the closing lid otherwise.
+// Each point goes by pyramidal KLT (flow_pair.h) and back: one that does not come home (Kalal, Mikolajczyk, Matas:
+// Forward-Backward Error, ICPR 2010), or that leaves its neighbours, is looked for near where the others say that it
+// is, by the patch that it had at the start. Differs from plain KLT: three rigid points carry the layout of all; points
+// are kept together by springs and the shapes of a mouth (settle.h, mouth_shape.h); against drift a point whose own
+// patch is seen again near its place goes there, and the points of the outline go to the edge of the lips (outline.h).
+// A rigid point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
+//
+// A point that is not valid keeps its last good place. A frame without contrast, after a cut, or in which fewer than a
+// third of the points are seen is not valid, until the face is found again, as large and as upright as at the start.
+//
+// A correction replaces a point from its frame to the next correction of the same point: it is followed from there,
+// with the patch that it has there, between the other points as they are without corrections. So a correction changes
+// no other point, and no frame from the same point's next correction on.
 TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
                          const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options = {});
 

@@ -4,12 +4,13 @@
 #include "engine/node.h"
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.klt", &track_klt, version{1},
-     doc{"Follows points through a video by pyramidal KLT, with a check that they come home and an anchor against "
-         "drift."},
+NODE("track.klt", &track_klt, version{2},
+     doc{"Follows points on a face through a video by pyramidal KLT, with a check that they come home, anchors against "
+         "drift, and the edge of the lips."},
      input{"frames", "The video's frames", window{1, 0}}, input{"start", "The points on the first frame"},
      input{"correction", "Points put right, for frames that have some"},
      param("window_px", &TrackKltOptions::window_px, range{5, 101}, unit{"px"},
@@ -28,8 +29,19 @@ NODE("track.klt", &track_klt, version{1},
      param("rigid", &TrackKltOptions::rigid,
            "Names of points that always look alike: lost where their patch is not seen"),
      param("search_px", &TrackKltOptions::search_px, range{0, 200}, unit{"px"}, "How far a lost point is looked for"),
+     param("outline", &TrackKltOptions::outline,
+           "Names of the points on the outer edge of the lips, from one corner around; none = no lips are sought"),
+     param("edge_reach_px", &TrackKltOptions::edge_reach_px, range{1, 30}, unit{"px"},
+           "How far from where it is expected the edge of the lips is looked for"),
      output("landmarks", &TrackKltResult::landmarks, "The points of each frame"),
+     output("followed", &TrackKltResult::followed, "The points as if nobody had put anything right"),
+     output("put_right", &TrackKltResult::put_right, "The points that corrections placed, by name"),
      output("layout", &TrackKltResult::layout, "How the points lie to each other at rest"),
+     output("look", &TrackKltResult::look, "What the edge of the lips looks like where it was placed"),
      output("patches", &TrackKltResult::patches, "Every point's own patch, side by side"),
+     output("face", &TrackKltResult::face, "What is looked for when everything was lost"),
+     output("confidence", &TrackKltResult::confidence, "Of each point: 0 lost, 1 looks as where it was placed"),
+     output("state", &TrackKltResult::state, "start, followed, found, cut, even or lost"),
+     output("valid", &TrackKltResult::valid, "False where the face is not seen"),
      output("lost", &TrackKltResult::lost, "Number of points that are not valid"),
      output("return_error_px", &TrackKltResult::return_error_px, "Largest there-and-back error of the kept points"));

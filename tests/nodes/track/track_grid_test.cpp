@@ -4,38 +4,12 @@
 
 #include <cmath>
 
-#include "nodes/decode/read_landmarks.h"
-#include "nodes/decode/read_video.h"
-#include "nodes/track/track_klt.h"
+#include "tests/nodes/track/grid_clip.h"
 #include "tests/support/data.h"
 
 using namespace face;
 
 namespace {
-
-struct Tracked {
-  std::vector<track::TrackKltResult> frames;
-  Landmarks start;
-};
-
-Tracked track_clip(const std::string& video, const std::string& points) {
-  Tracked out;
-  out.start = decode::read_landmarks(engine::File::at(points)).landmarks;
-  std::shared_ptr<const Image> before;
-  engine::SeqWriter<Image> writer([&](const std::string&, Image image) {
-    auto now = std::make_shared<const Image>(std::move(image));
-    const engine::Window<Image> window =
-        before ? engine::Window<Image>({before, now}, 1) : engine::Window<Image>({now}, 0);
-    engine::Prior<track::TrackKltResult> prior;
-    if (before)
-      prior = engine::Prior<track::TrackKltResult>(std::make_shared<const track::TrackKltResult>(out.frames.back()));
-    out.frames.push_back(track::track_klt(window, out.start, nullptr, prior));
-    before = std::move(now);
-  });
-  engine::Progress progress;
-  decode::read_video(engine::File::at(video), writer, progress);
-  return out;
-}
 
 double distance_px(const Landmarks& points, std::size_t a, std::size_t b) {
   return std::hypot(points.points[a].x_px - points.points[b].x_px, points.points[a].y_px - points.points[b].y_px);
@@ -48,7 +22,7 @@ class TrackGrid : public testing::TestWithParam<const char*> {};
 TEST_P(TrackGrid, KeepsThePointsOnTheFaceThroughAllFrames) {
   DATA_FILE(video, std::string("grid/") + GetParam() + ".mpg");
   DATA_FILE(points, std::string("grid/") + GetParam() + ".landmarks.json");
-  const Tracked tracked = track_clip(video, points);
+  const test::Tracked tracked = test::track_clip(video, points);
   ASSERT_EQ(tracked.frames.size(), 75u);
   const std::size_t eye_r = 0, eye_l = 1, lip_0 = 3, lip_6 = 9;
   const double eyes = distance_px(tracked.start, eye_r, eye_l), mouth = distance_px(tracked.start, lip_0, lip_6);

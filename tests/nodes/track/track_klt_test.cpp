@@ -95,7 +95,7 @@ TEST(TrackKlt, GivesTheStartPointsOnTheFirstFrame) {
   EXPECT_EQ(result.landmarks.points[3].name, "p3");
   EXPECT_EQ(result.lost, 0);
   EXPECT_EQ(result.patches.width, 12 * 15);
-  EXPECT_EQ(result.patches.height, 15);
+  EXPECT_EQ(result.patches.height, 2 * 15);  // of the start, and of corrections
 }
 
 TEST(TrackKlt, FollowsAKnownTranslationToATenthOfAPixel) {
@@ -213,6 +213,87 @@ TEST(TrackKlt, GivesTheSameResultTwice) {
   }
 }
 
+TEST(TrackKlt, ACorrectionChangesNoOtherPointAndNothingFromThePointsNextOneOn) {
+  const Landmarks early{{{"p5", 70.25, 61.5, true}}}, later{{{"p5", 72, 63, true}}};
+  const std::vector<std::shared_ptr<const Image>> film = {picture(0, 0), picture(2, 1), picture(3.5, 2),
+                                                          picture(5, 2.5)};
+  const auto track = [&](const Landmarks* at_1) {
+    std::vector<TrackKltResult> out = {first(film[0])};
+    for (std::size_t i = 1; i < film.size(); ++i)
+      out.push_back(next(film[i - 1], film[i], out.back(), i == 1 ? at_1 : i == 3 ? &later : nullptr));
+    return out;
+  };
+  const auto with = track(&early), without = track(nullptr);
+  for (std::size_t i = 0; i < film.size(); ++i)
+    for (std::size_t k = 0; k < 12; ++k) {
+      const Landmark &a = with[i].landmarks.points[k], &b = without[i].landmarks.points[k];
+      const bool same = a.x_px == b.x_px && a.y_px == b.y_px && a.valid == b.valid;
+      EXPECT_EQ(same, k != 5 || i == 0 || i == 3) << "point " << k << " of frame " << i;
+    }
+  // All of the result, so that the engine stops there.
+  EXPECT_EQ(with[3].patches.pixels, without[3].patches.pixels);
+  EXPECT_EQ(with[3].layout.points[5].x_px, without[3].layout.points[5].x_px);
+  EXPECT_EQ(with[3].confidence.values, without[3].confidence.values);
+}
+
+TEST(TrackKlt, NamesABlackFrameAndFindsThePointsAfterIt) {
+  const auto before = picture(0, 0), after = picture(9, -6);
+  const auto black = std::make_shared<const Image>(Image{160, 120, 3, std::vector<std::uint8_t>(160 * 120 * 3, 3)});
+  const TrackKltResult dark = next(before, black, first(before));
+  EXPECT_EQ(dark.state, "even");
+  EXPECT_FALSE(dark.valid);
+  EXPECT_EQ(dark.lost, 12);
+  EXPECT_EQ(dark.landmarks.points[3].x_px, points().points[3].x_px);
+  const TrackKltResult again = next(black, after, dark);
+  EXPECT_EQ(again.state, "found");
+  EXPECT_TRUE(again.valid);
+  EXPECT_LE(rms_px(again.landmarks, 9, -6), 0.1);
+}
+
+TEST(TrackKlt, NamesACutAndSeesNothingInAnotherPicture) {
+  const auto before = picture(0, 0);
+  Random random(5);
+  Image noise{160, 120, 3, {}};
+  for (int i = 0; i < 160 * 120 * 3; ++i) noise.pixels.push_back(static_cast<std::uint8_t>(random.uniform(0, 255)));
+  const auto other = std::make_shared<const Image>(noise);
+  const TrackKltResult cut = next(before, other, first(before));
+  EXPECT_EQ(cut.state, "cut");
+  EXPECT_FALSE(cut.valid);
+  EXPECT_EQ(cut.lost, 12);
+  const TrackKltResult still = next(other, other, cut);
+  EXPECT_EQ(still.state, "lost");
+  EXPECT_EQ(next(other, before, still).state, "found");
+}
+
+TEST(TrackKlt, FollowsTheFaceToItsNewPlaceOverACut) {
+  const auto before = picture(0, 0), after = picture(22, -13);  // the same, elsewhere: hardly alike pixel by pixel
+  const TrackKltResult cut = next(before, after, first(before));
+  EXPECT_EQ(cut.state, "cut");
+  EXPECT_TRUE(cut.valid);
+  // Two points left the picture.
+  for (std::size_t i = 0; i < 12; ++i)
+    if (cut.landmarks.points[i].valid) {
+      EXPECT_NEAR(cut.landmarks.points[i].x_px, points().points[i].x_px + 22, 0.2) << i;
+      EXPECT_NEAR(cut.landmarks.points[i].y_px, points().points[i].y_px - 13, 0.2) << i;
+    }
+}
+
+TEST(TrackKlt, IsSureOfWhatLooksAsAtTheStartOnly) {
+  const auto before = picture(0, 0);
+  const TrackKltResult result = next(before, picture(1, 1), first(before));
+  ASSERT_EQ(result.confidence.rows, 12u);
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_GT(result.confidence.at(i, 0), 0.98);
+  const auto turned = next(before, picture(1, 1, 0.12), first(before));
+  EXPECT_LT(turned.confidence.at(0, 0), result.confidence.at(0, 0));
+}
+
+TEST(TrackKlt, RejectsAnOutlineWithAPointMissing) {
+  Landmarks start = points();
+  for (int i = 0; i < 11; ++i) start.points[static_cast<std::size_t>(i)].name = "lip_" + std::to_string(i);
+  EXPECT_THROW_TEXT(track_klt({{picture(0, 0)}, 0}, start, nullptr, {}),
+                    "start has 11 of the outline's 12 points, expected all or none: lip_11 is missing");
+}
+
 TEST(TrackKlt, AcceptsNoPoints) {
   const auto image = picture(0, 0);
   const TrackKltResult start = track_klt({{image}, 0}, {}, nullptr, {});
@@ -229,8 +310,10 @@ TEST(TrackKlt, RejectsAStartPointOutsideTheImage) {
 
 TEST(TrackKlt, RejectsACorrectionOfAnUnknownPoint) {
   const Landmarks correction{{{"lip_99", 70, 61, true}}};
-  EXPECT_THROW_TEXT(first(picture(0, 0), &correction),
-                    "a correction names the point lip_99, which start does not have");
+  EXPECT_THROW_TEXT(
+      first(picture(0, 0), &correction),
+      "a correction names the point lip_99, which start does not have; it has p0, p1, p2, p3, p4, p5, p6, p7, "
+      "p8, p9, p10, p11");
 }
 
 TEST(TrackKlt, RejectsACorrectionOutsideTheImage) {

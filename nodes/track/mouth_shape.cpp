@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/mouth_shape.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "nodes/base/check.h"
+
+namespace face::track {
+
+using Vector2 = Eigen::Vector2d;
+
+std::vector<std::size_t> find_outline(const Landmarks& start, const std::vector<std::string>& names) {
+  std::vector<std::size_t> outline;
+  std::string missing;
+  for (const std::string& name : names) {
+    const auto point =
+        std::find_if(start.points.begin(), start.points.end(), [&](const Landmark& p) { return p.name == name; });
+    if (point == start.points.end())
+      missing += (missing.empty() ? "" : ", ") + name;
+    else
+      outline.push_back(static_cast<std::size_t>(point - start.points.begin()));
+  }
+  if (outline.empty()) return {};
+  if (!missing.empty())
+    fail("start has ", outline.size(), " of the outline's ", names.size(), " points, expected all or none: ", missing,
+         outline.size() + 1 == names.size() ? " is" : " are", " missing");
+  check(outline.size() >= 6 && outline.size() % 2 == 0, "outline has ", outline.size(),
+        " points, expected an even number from 6");
+  return outline;
+}
+
+std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::vector<std::size_t>& outline) {
+  if (outline.empty()) return {};
+  const std::size_t size = 2 * start.points.size(), half = outline.size() / 2;
+  const auto at = [&](std::size_t k) {
+    const Landmark& p = start.points[outline[k]];
+    return Vector2(p.x_px, p.y_px);
+  };
+  const Vector2 centre = (at(0) + at(half)) / 2, radius = (at(half) - at(0)) / 2;
+  const double width = radius.norm();
+  check(width > 1e-6, "the corners of the outline lie on each other");
+  const Vector2 right = radius / width, down(-right.y(), right.x());
+  std::vector<std::vector<double>> modes;
+  // u: place across the mouth, -1 to 1; upper: 1 on the upper lip, -1 on the lower, 0 at the corners.
+  const auto add = [&](double size_px, auto&& offset) {
+    std::vector<double> mode(size, 0.0);
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const double u = (at(k) - centre).dot(right) / width;
+      const int upper = k % half == 0 ? 0 : k < half ? 1 : -1;
+      const Vector2 move = size_px * offset(u, upper);
+      mode[2 * outline[k]] = move.x();
+      mode[2 * outline[k] + 1] = move.y();
+    }
+    modes.push_back(std::move(mode));
+  };
+  const auto hump = [](double u) { return std::max(0.0, 1 - u * u); };
+  add(0.10 * width, [&](double, int) { return right; });
+  add(0.15 * width, [&](double, int) { return down; });
+  add(0.12 * width, [&](double u, int) { return Vector2(u * right); });
+  add(0.06 * width, [&](double u, int) { return Vector2(u * down); });
+  add(0.25 * width, [&](double u, int upper) { return Vector2((upper < 0 ? hump(u) : 0.0) * down); });
+  add(0.12 * width, [&](double u, int upper) { return Vector2((upper > 0 ? hump(u) : 0.0) * down); });
+  add(0.06 * width, [&](double u, int) { return Vector2(u * u * down); });
+  add(0.06 * width, [&](double u, int upper) { return Vector2((upper < 0 ? u * hump(u) : 0.0) * down); });
+  add(0.04 * width, [&](double u, int upper) { return Vector2((upper > 0 ? u * hump(u) : 0.0) * down); });
+  add(0.06 * width, [&](double u, int) { return Vector2(u * u * right); });
+  return modes;
+}
+
+}  // namespace face::track

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/track/find_face.h"
+#include "nodes/track/mouth_shape.h"
+#include "nodes/track/outline.h"
+
+namespace face::track {
+namespace {
+
+std::size_t patch_offset(const Image& patches, std::size_t index, int row, int side_px, int y) {
+  return static_cast<std::size_t>((row * side_px + y) * patches.width + static_cast<int>(index) * side_px);
+}
+
+// Adds one sighting to another: both are true within their errors.
+void add(const Sighting& more, Sighting& place) {
+  const double xx = place.xx + more.xx, xy = place.xy + more.xy, yy = place.yy + more.yy, det = xx * yy - xy * xy;
+  if (det <= 1e-12) {
+    if (!is_seen(place)) place = more;
+    return;
+  }
+  const double bx = place.xx * place.x_px + place.xy * place.y_px + more.xx * more.x_px + more.xy * more.y_px;
+  const double by = place.xy * place.x_px + place.yy * place.y_px + more.xy * more.x_px + more.yy * more.y_px;
+  place = {(yy * bx - xy * by) / det, (xx * by - xy * bx) / det, xx, xy, yy};
+}
+
+// A sighting may claim no smaller error than this.
+void limit(double error_px, Sighting& place) {
+  const double largest = (place.xx + place.yy) / 2 + std::hypot((place.xx - place.yy) / 2, place.xy);
+  const double scale = largest > 0 ? std::min(1.0, 1 / (error_px * error_px * largest)) : 0;
+  place.xx *= scale, place.xy *= scale, place.yy *= scale;
+}
+
+Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;
+  return points;
+}
+
+// How far a point goes to its own patch, 0 to 1.
+double anchor_share(double likeness, const TrackKltOptions& options) {
+  return std::clamp((likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
+}
+
+bool pull_to_patch(const PatchMatch& match, const TrackKltOptions& options, Sighting& place) {
+  if (!match.converged || std::hypot(match.x_px - place.x_px, match.y_px - place.y_px) > options.max_anchor_px)
+    return false;
+  const double share = anchor_share(match.likeness, options);
+  place.x_px += share * (match.x_px - place.x_px);
+  place.y_px += share * (match.y_px - place.y_px);
+  return true;
+}
+
+}  // namespace
+
+Image empty_patches(std::size_t count, int side_px) {
+  Image patches{side_px * static_cast<int>(count), 2 * side_px, 1, {}};
+  patches.pixels.assign(static_cast<std::size_t>(patches.width) * static_cast<std::size_t>(patches.height), 0);
+  return patches;
+}
+
+std::vector<float> patch_of(const Image& patches, std::size_t index, int row, int side_px) {
+  std::vector<float> patch;
+  for (int y = 0; y < side_px; ++y)
+    for (int x = 0; x < side_px; ++x)
+      patch.push_back(patches.pixels[patch_offset(patches, index, row, side_px, y) + static_cast<std::size_t>(x)]);
+  return patch;
+}
+
+void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, int row, int side_px, Image& patches) {
+  const std::vector<float> patch = cut_patch(grey, x_px, y_px, side_px);
+  for (int y = 0; y < side_px; ++y)
+    for (int x = 0; x < side_px; ++x)
+      patches.pixels[patch_offset(patches, index, row, side_px, y) + static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>(std::lround(patch[static_cast<std::size_t>(y * side_px + x)]));
+}
+
+Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given)
+    : start(start_points),
+      options(given),
+      side_px(static_cast<int>(given.window_px)),
+      outline(find_outline(start_points, given.outline)) {
+  bonds.stiffness = options.stiffness;
+  bonds.modes = mouth_modes(start, outline);
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+    if (std::find(options.rigid.begin(), options.rigid.end(), start.points[i].name) != options.rigid.end())
+      bonds.rigid.push_back(i);
+}
+
+Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points) {
+  std::vector<Sighting> from;
+  for (const Landmark& point : points) {
+    from.push_back({point.x_px, point.y_px});
+    if (point.valid) add_information(before, known.side_px, from.back());
+  }
+  Seen seen;
+  seen.likeness.assign(points.size(), 0);
+  std::vector<Sighting>& to = seen.sightings;
+  to = flow.forth(from, from);
+  // Points that went elsewhere than their neighbours get another try from where these say that they are.
+  constexpr int tries = 3;
+  for (int i = 0; i < tries; ++i) {
+    const std::vector<Sighting> guess = settle(known.start, to, known.bonds);
+    std::vector<Sighting> again_from, again_guess;
+    std::vector<std::size_t> again;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      const double off = std::hypot(to[k].x_px - guess[k].x_px, to[k].y_px - guess[k].y_px);
+      if (!is_seen(from[k]) || (is_seen(to[k]) && off <= 1)) continue;
+      again.push_back(k);
+      again_from.push_back(from[k]);
+      again_guess.push_back(guess[k]);
+    }
+    if (again.empty()) break;
+    const std::vector<Sighting> found = flow.forth(again_from, again_guess);
+    for (std::size_t k = 0; k < again.size(); ++k) to[again[k]] = found[k];
+  }
+  const std::vector<Sighting> home = flow.back(to, to), settled = settle(known.start, to, known.bonds);
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    if (!is_seen(to[k])) continue;
+    const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
+    const double return_error = sure_length_px(from[k], dx, dy);
+    const double off = sure_length_px(from[k], to[k].x_px - settled[k].x_px, to[k].y_px - settled[k].y_px);
+    const bool kept =
+        is_seen(home[k]) && return_error <= known.options.max_return_error_px && off <= known.options.max_offset_px;
+    if (kept)
+      seen.return_error_px = std::max(seen.return_error_px, return_error);
+    else
+      forget(to[k]);
+  }
+  return seen;
+}
+
+void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen& seen) {
+  for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
+    Sighting& place = seen.sightings[i];
+    if (!is_seen(place)) continue;
+    const PatchMatch match =
+        align_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, place.x_px, place.y_px);
+    const bool near = pull_to_patch(match, known.options, place);
+    const auto& rigid = known.bonds.rigid;
+    if (near) seen.likeness[i] = std::max(0.0, match.likeness);
+    if (std::find(rigid.begin(), rigid.end(), i) != rigid.end() &&
+        !(near && match.likeness >= known.options.min_likeness)) {
+      forget(place);
+      seen.likeness[i] = 0;
+    }
+  }
+}
+
+void recover(const Knowledge& known, const Grey& now, const Image& patches, double search_px, Seen& seen) {
+  const std::vector<Sighting> expected = settle(known.start, seen.sightings, known.bonds);
+  for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
+    Sighting& place = seen.sightings[i];
+    if (is_seen(place)) continue;
+    const PatchMatch match = search_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, expected[i].x_px,
+                                          expected[i].y_px, search_px);
+    const bool found = match.converged && match.likeness >= known.options.min_likeness &&
+                       is_inside(match.x_px, match.y_px, now.width, now.height) &&
+                       std::hypot(match.x_px - expected[i].x_px, match.y_px - expected[i].y_px) <= search_px;
+    if (!found) continue;
+    place = {match.x_px, match.y_px};
+    add_information(now, known.side_px, place);
+    seen.likeness[i] = match.likeness;
+  }
+}
+
+Seen find_again(const Knowledge& known, const Grey& now, const Image& face, const Image& patches) {
+  constexpr double enough = 0.5, step_px = 4;  // correlation of the small picture; error of its place
+  Seen seen;
+  for (const Landmark& point : known.start.points) seen.sightings.push_back({point.x_px, point.y_px});
+  seen.likeness.assign(seen.sightings.size(), 0);
+  const FaceMatch match = find_face(now, known.start, face);
+  if (match.likeness < enough) return seen;
+  for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
+    const Landmark& point = known.start.points[i];
+    seen.sightings[i] = {point.x_px + match.dx_px, point.y_px + match.dy_px};
+    // A first guess that any real sighting overrules.
+    seen.sightings[i].xx = seen.sightings[i].yy = 1e-3;
+  }
+  Seen found = seen;
+  for (Sighting& place : found.sightings) forget(place);
+  for (std::size_t i = 0; i < found.sightings.size(); ++i) {
+    const Sighting& guess = seen.sightings[i];
+    const PatchMatch patch = search_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, guess.x_px,
+                                          guess.y_px, known.options.search_px + step_px);
+    if (!patch.converged || patch.likeness < known.options.min_likeness ||
+        !is_inside(patch.x_px, patch.y_px, now.width, now.height))
+      continue;
+    found.sightings[i] = {patch.x_px, patch.y_px};
+    add_information(now, known.side_px, found.sightings[i]);
+    found.likeness[i] = patch.likeness;
+  }
+  const auto seen_of = [&](const std::vector<std::size_t>& points) {
+    return std::count_if(points.begin(), points.end(), [&](std::size_t i) { return is_seen(found.sightings[i]); });
+  };
+  const auto all = std::count_if(found.sightings.begin(), found.sightings.end(), is_seen);
+  const bool there = known.bonds.rigid.size() >= 2 ? seen_of(known.bonds.rigid) >= 2
+                                                   : 3 * all >= static_cast<std::ptrdiff_t>(found.sightings.size());
+  if (!there)
+    for (std::size_t i = 0; i < found.sightings.size(); ++i) forget(found.sightings[i]), found.likeness[i] = 0;
+  return found;
+}
+
+void fit_lips(const Knowledge& known, const Image& frame, const Matrix& look, Seen& seen) {
+  // What KLT and a patch that looks as at the start may claim on lips, which change their looks.
+  constexpr double follow_error_px = 1, patch_error_px = 0.2, least_likeness = 0.3;
+  std::vector<Sighting> followed = seen.sightings, unseen = seen.sightings;
+  for (const std::size_t i : known.outline) {
+    const double share = anchor_share(seen.likeness[i], known.options);
+    limit(1 / std::sqrt(1 / (follow_error_px * follow_error_px) + share / (patch_error_px * patch_error_px)),
+          followed[i]);
+    forget(unseen[i]);
+  }
+  std::vector<Sighting> settled = settle(known.start, followed, known.bonds);
+  if (!known.outline.empty() && std::any_of(seen.sightings.begin(), seen.sightings.end(), is_seen)) {
+    const Landmarks rest = places_of(known.start, settle(known.start, unseen, known.bonds));
+    constexpr int rounds = 2;  // the normals of the first are of the expected shape
+    for (int round = 0; round < rounds; ++round) {
+      const EdgeSight edge =
+          see_outline(frame, places_of(known.start, settled), rest, known.outline, look, known.options.edge_reach_px);
+      std::vector<Sighting> both = followed;
+      for (std::size_t k = 0; k < known.outline.size(); ++k) {
+        const std::size_t i = known.outline[k];
+        add(edge.sightings[k], both[i]);
+        if (round + 1 < rounds) continue;
+        if (edge.likeness[k] < least_likeness && !is_seen(seen.sightings[i])) forget(both[i]);
+        seen.likeness[i] = is_seen(both[i]) ? std::max(seen.likeness[i], edge.likeness[k]) : 0;
+      }
+      settled = settle(known.start, both, known.bonds);
+    }
+  }
+  seen.sightings = std::move(settled);
+}
+
+bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& before, const Grey& now,
+                      const Landmarks& layout, const Landmarks& others, const Image& patches, std::size_t index,
+                      Landmark& point) {
+  constexpr double other_error_px = 0.1, follow_error_px = 1;
+  std::vector<Sighting> places;
+  for (const Landmark& other : others.points) {
+    places.push_back({other.x_px, other.y_px});
+    if (other.valid) places.back().xx = places.back().yy = 1 / (other_error_px * other_error_px);
+  }
+  forget(places[index]);
+  const Sighting expected = settle(layout, places, known.bonds)[index];
+  Sighting from{point.x_px, point.y_px}, guess = expected;
+  add_information(before, known.side_px, from);
+  Sighting to = point.valid ? flow.forth({from}, {guess})[0] : Sighting{};
+  if (is_seen(to)) {
+    const Sighting home = flow.back({to}, {from})[0];
+    const bool kept = is_seen(home) && sure_length_px(from, home.x_px - from.x_px, home.y_px - from.y_px) <=
+                                           known.options.max_return_error_px;
+    if (!kept) forget(to);
+  }
+  const std::vector<float> patch = patch_of(patches, index, 1, known.side_px);
+  if (is_seen(to)) {
+    pull_to_patch(align_patch(patch, known.side_px, now, to.x_px, to.y_px), known.options, to);
+  } else {
+    const PatchMatch match =
+        search_patch(patch, known.side_px, now, expected.x_px, expected.y_px, known.options.search_px);
+    if (match.converged && match.likeness >= known.options.min_likeness) {
+      to = {match.x_px, match.y_px};
+      add_information(now, known.side_px, to);
+    }
+  }
+  const bool on_lips = std::find(known.outline.begin(), known.outline.end(), index) != known.outline.end();
+  if (on_lips) limit(follow_error_px, to);
+  places[index] = to;
+  const Sighting settled = settle(layout, places, known.bonds)[index];
+  // On lips the neighbours, which keep to the edge, are enough.
+  point.valid = (is_seen(to) || (on_lips && others.points[index].valid)) &&
+                is_inside(settled.x_px, settled.y_px, now.width, now.height);
+  if (point.valid) point.x_px = settled.x_px, point.y_px = settled.y_px;
+  return point.valid;
+}
+
+}  // namespace face::track

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps by which track_klt finds the points of a frame.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "nodes/track/flow_pair.h"
+#include "nodes/track/patch.h"
+#include "nodes/track/settle.h"
+#include "nodes/track/track_klt.h"
+
+namespace face::track {
+
+// The patches of N points side by side, `row` 0 of those that the start placed, 1 of those that corrections did.
+Image empty_patches(std::size_t count, int side_px);
+std::vector<float> patch_of(const Image& patches, std::size_t index, int row, int side_px);
+void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, int row, int side_px, Image& patches);
+
+// What is known of the points before a frame is looked at.
+struct Knowledge {
+  Knowledge(const Landmarks& start_points, const TrackKltOptions& given);
+  const Landmarks& start;
+  const TrackKltOptions& options;
+  int side_px;
+  std::vector<std::size_t> outline;  // indices; empty = no lips are sought
+  Bonds bonds;
+};
+
+// Where the points of a frame were seen; entries by point.
+struct Seen {
+  std::vector<Sighting> sightings;
+  std::vector<double> likeness;  // 0 to 1, to what was placed; 0 where nothing was seen
+  double return_error_px = 0;    // largest there-and-back error of those that were followed
+};
+
+// Takes the valid points of the previous frame to this one. Points that do not come home when they are followed back,
+// or that leave their neighbours, are not seen.
+Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points);
+
+// Moves points onto their own patches where these are seen again near them. Fades in, so that a patch that comes and
+// goes does not make the point jump. Rigid points of which the patch is not seen are forgotten.
+void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen& seen);
+
+// Looks for the points that were not seen by their own patches, about where the others say that they are.
+void recover(const Knowledge& known, const Grey& now, const Image& patches, double search_px, Seen& seen);
+
+// Looks for the whole face anywhere in the frame. Nothing is seen where it is not there.
+Seen find_again(const Knowledge& known, const Grey& now, const Image& face, const Image& patches);
+
+// Brings the points of the outline to the edge of the lips, and all points to where their bonds let them be.
+void fit_lips(const Knowledge& known, const Image& frame, const Matrix& look, Seen& seen);
+
+// Follows one point that a correction placed, near where the other points of the frame let it be. layout: of all
+// points. others: the points of this frame. Returns false where it is lost.
+bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& before, const Grey& now,
+                      const Landmarks& layout, const Landmarks& others, const Image& patches, std::size_t index,
+                      Landmark& point);
+
+}  // namespace face::track
