@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include "tests/conformance/node_samples.h"
+#include "tests/conformance/rules.h"
+
+namespace conformance {
+namespace {
+
+using engine::NodeDeclaration;
+using engine::NodeInfo;
+using engine::ParamInfo;
+using engine::ParamKind;
+using engine::ParamValue;
+
+constexpr int threads = 4;
+constexpr int variants = 4;
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+// Numbers of the kind that a parameter holds, near its default first: the ends of a range may ask for hours.
+std::vector<double> numbers_near(const ParamInfo& param, double initial) {
+  const double scale = std::max(1.0, std::abs(initial));
+  std::vector<double> numbers = {initial + 1,
+                                 initial - 1,
+                                 1.3 * initial,
+                                 0.7 * initial,
+                                 initial + 0.1 * (param.high - initial),
+                                 2 * initial,
+                                 initial / 2,
+                                 0.5 * (initial + param.low)};
+  if (param.high <= 20 * scale) numbers.push_back(param.high);
+  if (param.low >= -20 * scale) numbers.push_back(param.low);
+  std::vector<double> fitting;
+  for (double number : numbers) {
+    if (param.kind == ParamKind::integer) number = std::round(number);
+    if (number >= param.low && number <= param.high && number != initial && std::abs(number) <= 100 * scale)
+      fitting.push_back(number);
+  }
+  return fitting;
+}
+
+// Other values that a parameter may have.
+std::vector<ParamValue> other_values(const NodeInfo& node, const ParamInfo& param, const ParamValue& initial) {
+  std::vector<ParamValue> values = further_values(node.name, param.name);
+  std::visit(
+      [&](const auto& held) {
+        using T = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<T, bool>) {
+          values.push_back(!held);
+        } else if constexpr (std::is_same_v<T, std::int64_t> || std::is_same_v<T, double>) {
+          for (const double number : numbers_near(param, static_cast<double>(held)))
+            values.push_back(static_cast<T>(number));
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          if (param.kind == ParamKind::choice) {
+            for (const std::string& choice : param.choices)
+              if (choice != held) values.push_back(choice);
+          } else {
+            for (const std::string& text : {held + "b", std::string("a"), std::string()})
+              if (text != held) values.push_back(text);
+          }
+        } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<std::int64_t>>) {
+          using Number = typename T::value_type;
+          if (held.empty()) {
+            for (const double number : {1.0, 4.0, 0.5})
+              if (number >= param.low && number <= param.high) {
+                values.push_back(T{static_cast<Number>(number)});
+                values.push_back(T{static_cast<Number>(number), static_cast<Number>(number)});
+              }
+          } else {
+            for (const double number : numbers_near(param, static_cast<double>(held[0]))) {
+              T list = held;
+              list[0] = static_cast<Number>(number);
+              values.push_back(list);
+            }
+            values.push_back(T{});
+          }
+        } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+          if (!held.empty()) values.push_back(T{});
+          for (const std::string& choice : param.choices) values.push_back(T{choice});
+          if (param.choices.empty()) values.push_back(T{"a", "b"});
+        } else if constexpr (std::is_same_v<T, std::vector<bool>>) {
+          values.push_back(T{true});
+          values.push_back(T{false, true});
+        }
+      },
+      initial);
+  return values;
+}
+
+class Subject {
+ public:
+  Subject(engine::Plugins& plugins, const std::string& node)
+      : plugins_(plugins), node_(plugins.load(node)), params_(sample_params(node_.info)) {}
+
+  // False, and a line, where there is nothing to call it with.
+  bool prepare() {
+    try {
+      for (int v = 0; v < variants; ++v) {
+        inputs_.emplace_back();
+        for (std::size_t p = 0; p < node_.info.inputs.size(); ++p) {
+          const auto sample = port_sample(plugins_, node_, p, v);
+          const engine::InputInfo& port = node_.info.inputs[p];
+          if (!sample)
+            return tell("input " + port.name, "sample: type " + port.type +
+                                                  " has none, or its file is not installed (tests/support/samples.cpp, "
+                                                  "tests/conformance/node_samples.cpp)");
+          inputs_.back().push_back(*sample);
+        }
+      }
+    } catch (const std::exception& error) {
+      return tell("inputs", std::string("sample: ") + first_line(error.what()));
+    }
+    return true;
+  }
+
+  void look() {
+    const std::vector<engine::Digest> before = digests();
+    base_ = call(inputs_[0], params_);
+    if (base_.threw) {
+      tell("call", "sample: refused: " + first_line(base_.what));
+      return;
+    }
+    if (!(call(inputs_[0], params_) == base_)) {
+      tell("result", "same result twice: the second differs");
+      return;  // nothing else can be told from results
+    }
+    look_at_threads();
+    const std::vector<engine::Digest> after = digests();
+    for (std::size_t p = 0; p < before.size(); ++p)
+      if (before[p] != after[p])
+        tell("input " + node_.info.inputs[p].name, "inputs unchanged: it was changed by the call");
+    for (std::size_t p = 0; p < params_.size(); ++p) look_at_param(p);
+    for (std::size_t p = 0; p < inputs_[0].size(); ++p) look_at_input(p);
+  }
+
+  Lines lines() const { return lines_; }
+  const PortValues& inputs() const { return inputs_[0]; }
+  const NodeDeclaration& node() const { return node_; }
+  Outcome call(const PortValues& inputs, const Params& params) const { return call_node(node_, inputs, params); }
+  const Params& params() const { return params_; }
+
+ private:
+  bool tell(const std::string& where, const std::string& text) {
+    lines_.push_back(node_.info.name + ": " + where + ": " + text);
+    return false;
+  }
+
+  std::vector<engine::Digest> digests() const {
+    std::vector<engine::Digest> all;
+    for (std::size_t p = 0; p < inputs_[0].size(); ++p) {
+      const engine::TypeInfo& type = *node_.input_types[p];
+      std::string whole = digest_of_value(type, inputs_[0][p].value).hex();
+      for (const AnyValue& element : inputs_[0][p].elements) whole += digest_of_value(type, element).hex();
+      all.push_back(engine::digest_of(whole));
+    }
+    return all;
+  }
+
+  void look_at_threads() {
+    for (const int most : {1, threads}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(most));
+      if (call(inputs_[0], params_) == base_) continue;
+      tell("result", "same result with 1 and " + std::to_string(threads) + " threads: with " + std::to_string(most) +
+                         " it differs");
+      return;
+    }
+  }
+
+  // A setting in which something is looked at: some parameters and inputs count only in one mode.
+  struct Setting {
+    PortValues inputs;
+    Params params;
+  };
+  std::vector<Setting> settings(std::size_t without_param) const {
+    std::vector<Setting> all = {{inputs_[0], params_}};
+    PortValues bare = inputs_[0];
+    bool optional = false;
+    for (std::size_t p = 0; p < bare.size(); ++p)
+      if (node_.info.inputs[p].optional) bare[p].absent = optional = true;
+    if (optional) all.push_back({bare, params_});
+    for (std::size_t p = 0; p < params_.size(); ++p) {
+      const ParamKind kind = node_.info.params[p].kind;
+      if (p == without_param || node_.info.params[p].list || (kind != ParamKind::boolean && kind != ParamKind::choice))
+        continue;
+      for (const ParamValue& other : other_values(node_.info, node_.info.params[p], params_[p])) {
+        all.push_back({inputs_[0], params_});
+        all.back().params[p] = other;
+      }
+    }
+    return all;
+  }
+
+  void look_at_param(std::size_t p) {
+    const ParamInfo& info = node_.info.params[p];
+    if (!info.inert.empty()) return;
+    const std::string text = engine::to_text(params_[p]);
+    for (const Setting& setting : settings(p)) {
+      const Outcome plain =
+          setting.params == params_ && !any_absent(setting.inputs) ? base_ : call(setting.inputs, setting.params);
+      for (const ParamValue& other : other_values(node_.info, info, params_[p])) {
+        if (engine::to_text(other) == text) {
+          tell("parameter " + info.name, "key changes: another value has the same text, " + text);
+          return;
+        }
+        Params changed = setting.params;
+        changed[p] = other;
+        if (!(call(setting.inputs, changed) == plain)) return;
+      }
+    }
+    tell("parameter " + info.name,
+         "every parameter counts: no value changes the result, and it is not declared inert{\"why\"}");
+  }
+
+  void look_at_input(std::size_t p) {
+    for (const Setting& setting : settings(params_.size())) {
+      if (setting.inputs[p].absent) continue;
+      const Outcome plain = call(setting.inputs, setting.params);
+      for (int v = 1; v < variants; ++v) {
+        Setting changed = setting;
+        changed.inputs[p] = inputs_[static_cast<std::size_t>(v)][p];
+        if (!(call(changed.inputs, changed.params) == plain)) return;
+      }
+      if (node_.info.inputs[p].optional) {
+        Setting changed = setting;
+        changed.inputs[p].absent = true;
+        if (!(call(changed.inputs, changed.params) == plain)) return;
+      }
+    }
+    tell("input " + node_.info.inputs[p].name, "every input counts: no sample changes the result");
+  }
+
+  static bool any_absent(const PortValues& inputs) {
+    for (const PortValue& input : inputs)
+      if (input.absent) return true;
+    return false;
+  }
+
+  engine::Plugins& plugins_;
+  const NodeDeclaration& node_;
+  const Params params_;
+  std::vector<PortValues> inputs_;  // per variant
+  Outcome base_;
+  Lines lines_;
+};
+
+}  // namespace
+
+Lines broken_by_behaviour(engine::Plugins& plugins, const std::string& node) {
+  Subject subject(plugins, node);
+  if (subject.prepare()) subject.look();
+  return subject.lines();
+}
+
+}  // namespace conformance

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/conformance/node_samples.h"
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+
+#include "engine/port.h"
+#include "tests/support/samples.h"
+
+namespace conformance {
+namespace fs = std::filesystem;
+namespace {
+
+// A port's own sample, by "node.port".
+using Maker = std::function<AnyValue(engine::Plugins&, int variant)>;
+
+template <class T>
+AnyValue held(T value) {
+  return std::make_shared<const T>(std::move(value));
+}
+
+// The first value of an output of another node, called with its own samples.
+Maker made_by(const std::string& node, const std::string& output) {
+  return [node, output](engine::Plugins& plugins, int variant) -> AnyValue {
+    if (!plugins.find(node)) return nullptr;
+    const engine::NodeDeclaration& declaration = plugins.load(node);
+    PortValues inputs;
+    for (std::size_t p = 0; p < declaration.info.inputs.size(); ++p) {
+      const auto input = port_sample(plugins, declaration, p, variant);
+      if (!input) return nullptr;
+      inputs.push_back(*input);
+    }
+    const Outcome outcome = call_node(declaration, inputs, sample_params(declaration.info));
+    if (outcome.threw) throw std::runtime_error("the sample that " + node + " makes: " + outcome.what);
+    return outcome.values.at(static_cast<std::size_t>(declaration.info.find_output(output))).at(0);
+  };
+}
+
+// The same, as a file on disk.
+Maker file_by(const std::string& node) {
+  return [node](engine::Plugins& plugins, int variant) -> AnyValue {
+    const engine::NodeInfo* info = plugins.find(node);
+    if (!info) return nullptr;
+    const AnyValue value = made_by(node, info->outputs[0].name)(plugins, variant);
+    const auto& file = *static_cast<const engine::File*>(value.get());
+    if (!file.in_memory()) return value;
+    return test::sample_file(node + std::to_string(variant) + file.suffix(), file.bytes());
+  };
+}
+
+Maker text_file(const std::string& suffix, std::vector<std::string> texts) {
+  return [suffix, texts](engine::Plugins&, int variant) {
+    const auto at = static_cast<std::size_t>(variant) % texts.size();
+    return test::sample_file("sample" + std::to_string(at) + suffix, texts[at]);
+  };
+}
+
+// A file or folder of a Debian package.
+Maker installed(const std::string& path) {
+  return [path](engine::Plugins&, int) -> AnyValue {
+    if (!fs::exists(path)) return nullptr;
+    if (!fs::is_directory(path)) return held(engine::File::at(path));
+    std::vector<engine::File::Entry> entries;
+    for (const auto& entry : fs::directory_iterator(path))
+      entries.push_back({entry.path().filename().string(), entry.path().string()});
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return held(engine::File::folder(path, entries));
+  };
+}
+
+// One second of a tone as 16-bit WAV.
+AnyValue wav(int variant) {
+  const std::uint32_t rate = 16000, count = 16000;
+  std::string bytes;
+  const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  bytes += "RIFF";
+  put(std::uint32_t{36 + 2 * count});
+  bytes += "WAVEfmt ";
+  put(std::uint32_t{16}), put(std::uint16_t{1}), put(std::uint16_t{1}), put(rate), put(2 * rate), put(std::uint16_t{2});
+  put(std::uint16_t{16});
+  bytes += "data";
+  put(2 * count);
+  for (std::uint32_t i = 0; i < count; ++i)
+    put(static_cast<std::int16_t>((static_cast<int>(i) * (37 + variant)) % 8000 - 4000));
+  return test::sample_file("tone" + std::to_string(variant) + ".wav", bytes);
+}
+
+const std::map<std::string, Maker>& makers() {
+  const std::string pocketsphinx = "/usr/share/pocketsphinx/model/en-us/";
+  static const std::map<std::string, Maker> all = {
+      {"decode.audio.file", [](engine::Plugins&, int variant) { return wav(variant); }},
+      {"decode.video.file", file_by("export.video")},
+      {"decode.rig.file", file_by("export.gltf")},
+      {"decode.npy.file", file_by("export.npy")},
+      {"decode.landmarks.file",
+       text_file(".json", {R"({"image_size": [64, 48], "points": {"a": [10, 12], "b": [20.5, 30]}})",
+                           R"({"image_size": [80, 60], "points": {"a": [11, 12], "c": [20.5, 30]}})"})},
+      {"decode.corrections.file", text_file(".json", {R"([{"frame": 4, "point": "a", "xy": [10, 12]}])",
+                                                      R"([{"frame": 5, "point": "b", "xy": [10, 13]}])"})},
+      {"decode.rig.names",
+       text_file(".json", {R"({"jawOpen": "jawOpen"})", R"({"jawOpen": "jawLeft", "jawLeft": "jawOpen"})"})},
+      {"speech.read_phones.file", file_by("export.phones_json")},
+      {"speech.align.acoustic_model", installed(pocketsphinx + "en-us")},
+      {"speech.align.dictionary", installed(pocketsphinx + "cmudict-en-us.dict")},
+      {"speech.align.phone_model", installed(pocketsphinx + "en-us-phone.lm.bin")},
+      {"speech.align.audio", made_by("speech.say", "audio")},
+      {"trajectory.read_visemes.file", installed(FACEGRAPH_SOURCE_DIR "/graphs/speech/visemes.json")},
+  };
+  return all;
+}
+
+// Types that only a node can make.
+const std::map<std::string, Maker>& made_types() {
+  static const std::map<std::string, Maker> all = {
+      {"mesh_space", made_by("meshik.prepare", "space")},
+      {"morphable_model", made_by("model.from_rig", "model")},
+  };
+  return all;
+}
+
+AnyValue one_sample(engine::Plugins& plugins, const std::string& node, const engine::InputInfo& port, int variant) {
+  if (const auto own = makers().find(node + "." + port.name); own != makers().end())
+    return own->second(plugins, variant);
+  if (const auto made = made_types().find(port.type); made != made_types().end()) return made->second(plugins, variant);
+  return test::sample(port.type, variant);
+}
+
+}  // namespace
+
+const std::map<std::string, std::string>& nodes_without_sample() {
+  static const std::map<std::string, std::string> nodes = {
+      {"toy.unsteady", "it is the bad example that `facegraph cache audit` finds in tests"},
+      {"toy.slow_read", "it only waits while it reads, for tests of files that change"},
+      {"toy.sleep", "it only waits"},
+  };
+  return nodes;
+}
+
+Params sample_params(const engine::NodeInfo& info) {
+  static const std::map<std::string, engine::ParamValue> given = {
+      {"toy.blob.size_mb", 0.001},
+      {"toy.cheap_blob.size_mb", 0.001},
+      {"toy.blob_size.seconds", 0.0},
+      {"toy.fail.when", std::string("nothing of the kind")},
+      {"toy.contains.part", std::string("Bob")},
+      {"toy.count_up.count", std::int64_t{5}},
+  };
+  Params params = defaults_of(info);
+  for (std::size_t i = 0; i < params.size(); ++i)
+    if (const auto own = given.find(info.name + "." + info.params[i].name); own != given.end()) params[i] = own->second;
+  return params;
+}
+
+std::vector<engine::ParamValue> further_values(const std::string& node, const std::string& param) {
+  static const std::map<std::string, std::vector<engine::ParamValue>> values = {
+      {"toy.fail.when", {std::string("Bob")}},
+      {"speech.say.voice", {std::string("kal")}},
+  };
+  const auto at = values.find(node + "." + param);
+  return at == values.end() ? std::vector<engine::ParamValue>() : at->second;
+}
+
+std::optional<PortValue> port_sample(engine::Plugins& plugins, const engine::NodeDeclaration& node, std::size_t port,
+                                     int variant) {
+  const engine::InputInfo& info = node.info.inputs[port];
+  PortValue sample;
+  if (info.depth > 1) return std::nullopt;
+  if (info.depth == 0 && !info.window) {
+    sample.value = one_sample(plugins, node.info.name, info, variant);
+    if (!sample.value) return std::nullopt;
+    return sample;
+  }
+  constexpr int elements = 4;
+  for (int e = 0; e < elements; ++e) {
+    sample.elements.push_back(one_sample(plugins, node.info.name, info, variant + e));
+    if (!sample.elements.back()) return std::nullopt;
+  }
+  if (info.window) {
+    const std::size_t most = static_cast<std::size_t>(info.before + info.after + 1);
+    while (sample.elements.size() > most) sample.elements.pop_back();
+  }
+  return sample;
+}
+
+}  // namespace conformance
