@@ -118,4 +118,14 @@ double AvInput::stated_duration_s() const {
   return format_->duration == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->duration) / AV_TIME_BASE;
 }
 
+bool has_pictures_only(const std::string& path) {
+  AVFormatContext* format = nullptr;
+  if (avformat_open_input(&format, ("file:" + path).c_str(), nullptr, nullptr) < 0) return false;
+  const auto has = [&](AVMediaType type) { return av_find_best_stream(format, type, -1, -1, nullptr, 0) >= 0; };
+  const bool result =
+      avformat_find_stream_info(format, nullptr) >= 0 && has(AVMEDIA_TYPE_VIDEO) && !has(AVMEDIA_TYPE_AUDIO);
+  avformat_close_input(&format);
+  return result;
+}
+
 }  // namespace face::decode

@@ -40,6 +40,9 @@ class AvInput {
   AVStream* stream_ = nullptr;
 };
 
+// True for a media file with pictures and no sound; false for what cannot be read, too.
+bool has_pictures_only(const std::string& path);
+
 // FFmpeg's text for an error code.
 std::string av_error_text(int code);
 

@@ -150,6 +150,12 @@ ReadAudioResult read_audio(const engine::File& file, const ReadAudioOptions& opt
   const std::string title = title_of(file);
   check_wav_is_whole(read_start(file, 1 << 20, "a recording"), title);
   std::optional<Recording> found = read_with_sndfile(file.path(), title);
+  if (!found && !options.required && has_pictures_only(file.path())) {
+    ReadAudioResult none;
+    none.audio.rate_hz = std::round(options.rate_hz);
+    none.silent = true;
+    return none;
+  }
   const Recording recording = found ? std::move(*found) : read_with_av(file.path(), title);
   check(!recording.samples.empty(), title, ": holds no samples, expected a recording");
 

@@ -7,6 +7,7 @@ namespace face::decode {
 
 struct ReadAudioOptions {
   double rate_hz = 16000;  // of the result
+  bool required = true;    // false: a video file without sound gives no samples
 };
 
 struct ReadAudioResult {

@@ -47,7 +47,7 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
   const std::string folder = progress.scratch_folder();
   if (!folder.empty()) settings.path = folder + "/video.mp4";
   std::vector<float> sound;
-  if (audio != nullptr) {
+  if (audio != nullptr && !audio->samples.empty()) {
     check(audio->rate_hz > 0 && audio->rate_hz == std::floor(audio->rate_hz), "the sound has ", audio->rate_hz,
           " samples per second, expected a whole number above 0");
     settings.audio_rate_hz = static_cast<int>(audio->rate_hz);

@@ -210,9 +210,12 @@ class TrackJob : public Job {
     EXPECT_NE(command(Words{"explain", track(), "put_right"} + all).output.find("corrections.json changed"),
               std::string::npos);
     const Done second = run(track(), all);
-    EXPECT_EQ(
-        second.finished,
-        (Counts{{"put_right", 1}, {"track", frames - frame}, {"drawn", frames - frame}, {"table", 1}, {"overlay", 1}}));
+    EXPECT_EQ(second.finished, (Counts{{"put_right", 1},
+                                       {"track", frames - frame},
+                                       {"drawn", frames - frame},
+                                       {"table", 1},
+                                       {"report", 1},
+                                       {"overlay", 1}}));
     for (const std::string& element : second.elements) EXPECT_GE(std::stoul(element), frame);
     EXPECT_NE(read("out/tracks.csv").find(std::to_string(frame) + "," + point), std::string::npos);
   }
@@ -226,6 +229,42 @@ TEST_F(TrackJob, CorrectionOfAMadeClipRerunsFromItsFrameOn) {
   write("points.json",
         R"({"image_size": [160, 160], "points": {"mouth": [80, 104], "nose": [80, 84], "eye": [66, 66]}})");
   correct({"--set", "video=clip/talk.mp4", "--set", "points=points.json"}, 20, "mouth", 81, 105);
+}
+
+TEST_F(TrackJob, AChangedCorrectionRerunsToThePointsNextOne) {
+  write("line.txt", "Good morning.");
+  ASSERT_EQ(command({"run", talk(), "--set", "text=line.txt", "--set", "pictures.width_px=160", "--set",
+                     "pictures.height_px=160", "--out", "clip", "--set", "sheet.picture_px=64"})
+                .code,
+            0);
+  write("points.json",
+        R"({"image_size": [160, 160], "points": {"mouth": [80, 104], "nose": [80, 84], "eye": [66, 66]}})");
+  const Words sets = {"--set", "video=clip/talk.mp4", "--set", "points=points.json", "--set", "corrections=fix.json"};
+  const auto fix = [&](double x_px) {
+    write("fix.json", Json::array({{{"frame", 10}, {"point", "mouth"}, {"xy", {x_px, 105}}},
+                                   {{"frame", 17}, {"point", "mouth"}, {"xy", {81, 105}}}})
+                          .dump());
+  };
+  fix(81);
+  run(track(), sets);
+  fix(82.5);
+  const Done second = run(track(), sets);
+  EXPECT_LE(second.of("track"), 8u);  // 10 to 16; 17 to see that it is what it was
+  EXPECT_GE(second.of("track"), 7u);
+  for (const std::string& element : second.elements) EXPECT_LE(std::stoul(element), 17u);
+}
+
+TEST_F(TrackJob, AClipWithoutSoundIsTracked) {
+  write("line.txt", "Good morning.");
+  write("mute.json", "{\"extends\": \"" + talk() + R"(", "nodes": {"video": {"inputs": {"audio": null}}}})");
+  ASSERT_EQ(command({"run", path("mute.json"), "--set", "text=line.txt", "--set", "pictures.width_px=160", "--set",
+                     "pictures.height_px=160", "--out", "clip", "--set", "sheet.picture_px=64"})
+                .code,
+            0);
+  write("points.json", R"({"image_size": [160, 160], "points": {"mouth": [80, 104], "nose": [80, 84]}})");
+  run(track(), {"--set", "video=clip/talk.mp4", "--set", "points=points.json"});
+  EXPECT_TRUE(exists("out/overlay.mp4"));
+  EXPECT_NE(read("out/report.txt").find(" points, 0 of them lost"), std::string::npos) << read("out/report.txt");
 }
 
 TEST_F(TrackJob, CorrectionOfAGridClipRerunsFromItsFrameOn) {
