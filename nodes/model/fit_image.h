@@ -15,7 +15,7 @@ struct FitImageOptions {
   std::int64_t albedos = 99;
   std::int64_t expressions = 10;
   std::int64_t points = 1500;   // random pixels per step and picture
-  std::int64_t steps = 8;       // per size
+  std::int64_t steps = 12;      // per size
   double image_weight = 1200;   // how many independent points the picture counts as
   double point_sigma = 0.02;    // as in fit_landmarks
   double mouth_sigma_mm = 2;    // of the lip gap about 0; an open mouth must be seen

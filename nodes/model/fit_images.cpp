@@ -19,7 +19,7 @@ using Vector = Eigen::VectorXd;
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Prior spread of the rendering parameters (sigma_R of equation 8), about their start.
-constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.35;
+constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.2;
 constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
                                                   0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
 constexpr double overlap_sigma_mm = 0.3;
@@ -231,6 +231,7 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
   const auto size = static_cast<Eigen::Index>(joint.shared() + joint.own() * joint.pictures.size());
   Normal normal{Eigen::MatrixXd::Zero(size, size), Vector::Zero(size)};
   for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
+    if (!frozen) joint.pictures[m].state.seen = shadow_of(joint.basis, joint.identity, joint.pictures[m].state);
     add_pixels(joint, m, levels[m], stage.image_share, random, normal);
     add_landmarks(joint, m, stage.landmark_weight, normal);
   }

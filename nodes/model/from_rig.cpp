@@ -134,7 +134,18 @@ MorphableModel from_rig(const Rig& rig, const ShapeSet* identities, const FromRi
     }
   model.expression = expression_space(rig, options);
   model.mean_albedo = vertex_albedo(rig.neutral);
-  model.albedo = skin_modes(rig.neutral, model.mean_albedo, rig.landmarks68, static_cast<std::size_t>(options.albedos));
+  const auto albedos = static_cast<std::size_t>(options.albedos);
+  if (options.skins > 1 && rig.landmarks68.size() == 68) {
+    SkinSpace skins = learn_skins(rig, static_cast<std::size_t>(options.skins), albedos * 2 / 3, options.seed + 10000);
+    model.mean_albedo = std::move(skins.mean);
+    model.albedo = std::move(skins.modes);
+    const LinearSpace waves = skin_modes(rig.neutral, model.mean_albedo, {}, albedos - model.albedo.size());
+    model.albedo.names.insert(model.albedo.names.end(), waves.names.begin(), waves.names.end());
+    model.albedo.sigmas.insert(model.albedo.sigmas.end(), waves.sigmas.begin(), waves.sigmas.end());
+    model.albedo.modes.insert(model.albedo.modes.end(), waves.modes.begin(), waves.modes.end());
+  } else {
+    model.albedo = skin_modes(rig.neutral, model.mean_albedo, rig.landmarks68, albedos);
+  }
   model.landmarks68 = rig.landmarks68;
   model.inner_lips = rig.inner_lips;
   return model;

@@ -12,6 +12,7 @@ struct FromRigOptions {
   std::int64_t expressions = 10;  // components kept, as in the paper
   std::int64_t albedos = 99;      // components kept at most
   std::int64_t samples = 400;     // faces drawn from the rig for its expression space
+  std::int64_t skins = 120;       // made persons' skins for its albedo space; 0 = waves alone
   std::int64_t seed = 1;
 };
 
@@ -19,10 +20,11 @@ struct FromRigOptions {
 // Identity: the modes as they are, coefficient 1 is one standard deviation. Expression: principal components of
 // `samples` faces drawn from the rig's blend shapes, mostly with a speaking mouth, about the neutral face and not about
 // their mean, so that coefficients 0 are the neutral. Coefficient 1 is one standard deviation as well. Albedo: the rig
-// brings one person's colours only, so the components are made: skin tone, lips, brows, beard, cheeks and eye sockets,
-// then slow waves over the face (cosines), each in lightness, redness and yellowness.
-// (Blanz, Basso, Poggio, Vetter: Reanimating Faces in Images and Video, Eurographics 2003, section 2, has them from 35
-// scans of one person and neutral scans of 200.)
+// brings one person's colours only, so skins are made (phantom.make_person) and analysed; slow waves over the face
+// (cosines) in lightness, redness and yellowness fill up the rest. Without skins, or landmarks to place them: waves and
+// made features.
+// (Blanz, Basso, Poggio, Vetter: Reanimating Faces in Images and Video, Eurographics 2003, section 2, has all three
+// from 35 scans of one person and neutral scans of 200.)
 MorphableModel from_rig(const Rig& rig, const ShapeSet* identities, const FromRigOptions& options = {});
 
 }  // namespace face::model

@@ -12,5 +12,7 @@ NODE("model.from_rig", &from_rig, version{1},
      param("albedos", &FromRigOptions::albedos, range{0, 99}, unit{"1"}, "Albedo components kept at most"),
      param("samples", &FromRigOptions::samples, range{1, 5000}, unit{"1"},
            "Faces drawn from the rig for its expression space"),
+     param("skins", &FromRigOptions::skins, range{0, 1000}, unit{"1"},
+           "Made persons' skins for its albedo space; 0 = waves alone"),
      param("seed", &FromRigOptions::seed, range{0, 1000000000}, unit{"1"}, "Of the drawn faces"),
      output("model", "The morphable model"));

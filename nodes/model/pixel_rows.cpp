@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "nodes/model/light_model.h"
+#include "nodes/phantom/cast_shadow.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/rasterize.h"
 #include "nodes/render/rgb_image.h"
@@ -21,6 +22,7 @@ using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using ModeRows = Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>>;
 
 constexpr double blur_px = 0.7;
+constexpr float shadow_edge_mm = 4;
 constexpr double least_facing = 0.12;  // cosine of normal and line of sight below which a point is not compared
 constexpr double least_reflectance = 1e-4;
 constexpr double end_of_scale = 0.985, all_but_black = 0.03;
@@ -122,6 +124,14 @@ std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<V
   return chosen;
 }
 
+std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state) {
+  const std::vector<Vec3f> points = posed_skin(basis, identity, state.expression);
+  const Vec3 light = Eigen::Map<const Rows3>(state.pose.rotation.data()).transpose() * vec(state.light.direction);
+  return phantom::cast_shadow(
+      points, render::vertex_normals(points, basis.triangles), basis.triangles,
+      {static_cast<float>(light.x()), static_cast<float>(light.y()), static_cast<float>(light.z())}, shadow_edge_mm);
+}
+
 PixelRows pixel_rows(const SkinBasis& basis, const std::vector<double>& identity, const std::vector<Vec3f>& albedo,
                      const PictureState& state, const PictureLevel& level, const PixelColumns& columns,
                      std::size_t points, Random& random) {
@@ -174,12 +184,17 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     if (std::max({picture[0], picture[1], picture[2]}) < all_but_black) ++dark;
 
     // value_c = gain_c mix(srgb(L albedo))_c + offset_c; by_lit = its derivative by the lit albedo.
+    double share = 1;  // of the parallel light
+    if (!state.seen.empty()) {
+      share = 0;
+      for (std::size_t i = 0; i < 3; ++i) share += static_cast<double>(bary[i]) * state.seen[triangle[i]];
+    }
     const double cosine = normal.dot(light);
     std::array<double, 3> lit, e, strength;
     double grey = 0;
     Rows3 by_lit;
     for (std::size_t c = 0; c < 3; ++c) {
-      strength[c] = light_at(state.light, c, cosine);
+      strength[c] = light_at(state.light, c, share * cosine);
       lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)];
       e[c] = srgb_of(lit[c]);
       grey += luma[c] * e[c];
@@ -195,7 +210,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     Vec3 by_cosine = Vec3::Zero();
     if (cosine > 0)
       for (Eigen::Index k = 0; k < 3; ++k)
-        by_cosine += by_lit.col(k) * (reflectance[k] * state.light.parallel[static_cast<std::size_t>(k)]);
+        by_cosine += by_lit.col(k) * (share * reflectance[k] * state.light.parallel[static_cast<std::size_t>(k)]);
 
     // Edges of the triangle and the dual basis in its plane.
     const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
@@ -240,7 +255,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         for (std::size_t k = 0; k < 3; ++k) {
           const double by = -by_lit(ci, static_cast<Eigen::Index>(k)) * reflectance[static_cast<Eigen::Index>(k)];
           l[k] = static_cast<float>(by);
-          l[3 + k] = static_cast<float>(by * std::max(0.0, cosine));
+          l[3 + k] = static_cast<float>(by * std::max(0.0, share * cosine));
         }
         for (std::size_t k = 0; k < 2; ++k)
           l[6 + k] = static_cast<float>(-by_cosine[ci] * normal_in_camera.dot(light_turns[k]));

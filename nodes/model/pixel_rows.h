@@ -28,7 +28,11 @@ struct PictureState {
   FacePose pose;  // in the picture's own pixels
   std::vector<double> expression;
   FaceLight light;
+  std::vector<float> seen;  // local vertices: the share of the parallel light that reaches them; empty = all of it
 };
+
+// The face's own shadow at a state.
+std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state);
 
 // Light parameters, in order: ambient 3, parallel 3, turn of the direction 2, contrast 1, gain 3, offset 3.
 inline constexpr std::size_t light_parameters = 15;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/model/skin_modes.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,8 @@
 #include <numbers>
 #include <string>
 
+#include "nodes/phantom/face_places.h"
+#include "nodes/phantom/person_skin.h"
 #include "nodes/render/shade.h"
 
 namespace face::model {
@@ -140,6 +143,44 @@ LinearSpace skin_modes(const Mesh& mesh, const std::vector<Vec3f>& albedo,
                                albedo[v][1] * strength[v] * colour.share[1],
                                albedo[v][2] * strength[v] * colour.share[2]});
     }
+  }
+  return space;
+}
+
+SkinSpace learn_skins(const Rig& rig, std::size_t skins, std::size_t count, std::int64_t seed) {
+  SkinSpace space;
+  const std::vector<bool> skin = skin_vertices(rig.neutral);
+  const phantom::FacePlaces places(rig);
+  const std::size_t vertices = rig.neutral.points_mm.size();
+  const auto n = static_cast<Eigen::Index>(skins);
+  Eigen::MatrixXf rows(n, static_cast<Eigen::Index>(3 * vertices));
+  for (std::size_t i = 0; i < skins; ++i) {
+    Mesh person = rig.neutral;
+    phantom::color_person(rig.neutral, places, {seed + static_cast<std::int64_t>(i), 0.25}, person);
+    const std::vector<Vec3f> albedo = vertex_albedo(person);
+    rows.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXf>(albedo.data()->data(), static_cast<Eigen::Index>(3 * vertices));
+  }
+  const Eigen::RowVectorXf mean = rows.colwise().mean();
+  rows.rowwise() -= mean;
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (!skin[v]) rows.middleCols(static_cast<Eigen::Index>(3 * v), 3).setZero();
+  space.mean.resize(vertices);
+  Eigen::Map<Eigen::RowVectorXf>(space.mean.data()->data(), mean.size()) = mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((rows * rows.transpose()).cast<double>());
+  for (Eigen::Index k = 0; k < std::min<Eigen::Index>(n - 1, static_cast<Eigen::Index>(count)); ++k) {
+    const Eigen::Index column = n - 1 - k;
+    if (eigen.eigenvalues()[column] <= 1e-7 * eigen.eigenvalues()[n - 1]) break;
+    Eigen::VectorXf weights = eigen.eigenvectors().col(column).cast<float>() / std::sqrt(static_cast<float>(n));
+    Eigen::Index largest = 0;
+    weights.cwiseAbs().maxCoeff(&largest);
+    if (weights[largest] < 0) weights = -weights;
+    const Eigen::RowVectorXf mode = weights.transpose() * rows;
+    const std::size_t first = space.modes.modes.size();
+    space.modes.modes.resize(first + vertices);
+    Eigen::Map<Eigen::RowVectorXf>(space.modes.modes[first].data(), mode.size()) = mode;
+    space.modes.names.push_back("skin_" + std::to_string(k));
+    space.modes.sigmas.push_back(1);
   }
   return space;
 }

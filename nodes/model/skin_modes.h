@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nodes/types/morphable_model.h"
+#include "nodes/types/rig.h"
 
 namespace face::model {
 
@@ -18,5 +19,13 @@ std::vector<bool> skin_vertices(const Mesh& mesh);
 // and tone alone.
 LinearSpace skin_modes(const Mesh& mesh, const std::vector<Vec3f>& albedo,
                        const std::vector<std::uint32_t>& landmarks68, std::size_t count);
+
+// Mean and principal components of the skins of made persons (phantom.make_person) on this rig, in linear reflectance;
+// coefficient 1 is one standard deviation. The rig needs its 68 landmarks.
+struct SkinSpace {
+  std::vector<Vec3f> mean;
+  LinearSpace modes;
+};
+SkinSpace learn_skins(const Rig& rig, std::size_t skins, std::size_t count, std::int64_t seed);
 
 }  // namespace face::model
