@@ -7,7 +7,7 @@ namespace face::meshik {
 namespace {
 
 constexpr std::size_t n = tile_lanes;
-using Lanes [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = double;
+using Lanes [[gnu::vector_size(64), gnu::aligned(8)]] = double;
 
 // sin x / x and (1 - cos x) / x^2 as series in s = x^2 <= 2: the first term left out is below 1e-17 of the sum.
 void series(const Lanes& s, Lanes& sine, Lanes& cosine) {

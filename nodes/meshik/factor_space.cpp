@@ -9,8 +9,8 @@
 namespace face::meshik {
 namespace {
 
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-using Eight [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+using Four [[gnu::vector_size(32), gnu::aligned(8)]] = double;
+using Eight [[gnu::vector_size(32), gnu::aligned(4)]] = float;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void factor_space(MeshSpace& space) {
 }
 
 void solve_lower(const MeshSpace& space, double* x) {
-  auto* const lanes = reinterpret_cast<Four*>(x);
+  Four* const lanes = reinterpret_cast<Four*>(x);
   const std::uint32_t* rows = space.rows.data();
   const double* values = space.values.data();
   const std::size_t count = free_count(space);
@@ -74,7 +74,7 @@ void solve_lower(const MeshSpace& space, double* x) {
 }
 
 void solve_transpose(const MeshSpace& space, double* x) {
-  auto* const lanes = reinterpret_cast<Four*>(x);
+  Four* const lanes = reinterpret_cast<Four*>(x);
   const std::uint32_t* rows = space.rows.data();
   const double* values = space.values.data();
   for (std::size_t j = free_count(space); j-- > 0;) {
@@ -96,11 +96,11 @@ void solve_lower_wide(const MeshSpace& space, float* x, std::size_t width) {
   for (std::size_t j = 0; j < count; ++j) {
     std::uint32_t p = space.column_starts[j];
     const std::uint32_t end = space.column_starts[j + 1];
-    auto* const pivot = reinterpret_cast<Eight*>(x + j * width);
+    Eight* const pivot = reinterpret_cast<Eight*>(x + j * width);
     const auto scale = static_cast<float>(space.values[p]);
     for (std::size_t i = 0; i < lanes; ++i) pivot[i] *= scale;
     for (++p; p < end; ++p) {
-      auto* const row = reinterpret_cast<Eight*>(x + space.rows[p] * width);
+      Eight* const row = reinterpret_cast<Eight*>(x + space.rows[p] * width);
       const auto value = static_cast<float>(space.values[p]);
       for (std::size_t i = 0; i < lanes; ++i) row[i] -= value * pivot[i];
     }

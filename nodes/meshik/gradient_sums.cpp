@@ -7,10 +7,10 @@
 
 namespace face::meshik {
 
-using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+using Four [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 
 void add_gradients(const MeshSpace& space, std::size_t tile, const double (&gradients)[2][3][tile_lanes], double* x) {
-  auto* const sums = reinterpret_cast<Four*>(x);
+  Four* const sums = reinterpret_cast<Four*>(x);
   const std::size_t last = free_count(space), triangles = space.triangles.size() / 3;
   const std::size_t lanes = std::min(tile_lanes, triangles - tile * tile_lanes);
   const double* g = &space.gradients[tile * 4 * tile_lanes];

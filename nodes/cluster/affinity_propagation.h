@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/port.h"
+#include "nodes/types/matrix.h"
+
+namespace face::cluster {
+
+enum class AffinityMethod {
+  exact,  // every point may stand for every other: N^2 numbers
+  pruned  // a few hundred points may stand for others: N x candidates numbers
+};
+enum class PreferenceRule { minimum, median, value };
+
+struct AffinityPropagationOptions {
+  AffinityMethod method = AffinityMethod::exact;
+  PreferenceRule rule = PreferenceRule::minimum;  // of the similarities of pairs, as the paper has it
+  double preference = -1;                         // where the rule is `value`; more negative makes fewer groups
+  double damping = 0.5;
+  std::int64_t max_iterations = 200;
+  std::int64_t patience = 15;     // iterations without a change of the exemplars that count as converged
+  std::int64_t candidates = 600;  // of the pruned method
+  std::int64_t seed = 1;          // of the pruned method's random candidates
+};
+
+struct AffinityPropagationResult {
+  Matrix labels;           // N x 1: number of the group of every point, 0 to K - 1
+  Matrix exemplars;        // K x 1: the point that stands for every group, ascending
+  double preference = 0;   // that was used
+  double similarity = 0;   // net similarity: -(squared distances to the exemplars) + K preference
+  bool converged = false;  // false where exemplars still changed in the last iteration
+  std::int64_t iterations = 0;
+};
+
+// Groups points by affinity propagation (Frey and Dueck, Clustering by Passing Messages Between Data Points, Science
+// 315, 2007) with similarity -|a - b|^2: finds how many groups there are, which points stand for them, and who belongs
+// to which. points: N x D.
+//
+// exact: in single precision and about one N^2 matrix of similarities and one of availabilities. The responsibilities,
+// the third of the usual implementation, need no room: damped with factor l, after t iterations they are
+// (1 - l^t) s(i,k) - (damped maxima of row i) but for the few columns that were a row's maximum, which are kept. One
+// pass over memory per iteration does both messages. Sums over columns are made per fixed block of rows, so that the
+// number of threads changes no bit.
+// As in scikit-learn, after the messages every group takes the member with the largest sum of similarities as its
+// exemplar and points go to their nearest exemplar. Differs from it: no noise is added to the similarities.
+//
+// pruned: only `candidates` points, spread by farthest-point sampling and drawn at random, half each, may be exemplars;
+// then exemplars move to the middle of their groups, groups that cost more than they are worth are given up, and
+// candidates that are worth more than they cost are taken in, until nothing changes.
+AffinityPropagationResult affinity_propagation(const Matrix& points, const AffinityPropagationOptions& options,
+                                               engine::Progress& progress);
+
+}  // namespace face::cluster

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The linear half of Eq 1: vertices for given gradients under constraints. Internal to MeshIkSolver; Eigen stays out.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "nodes/types/mesh_space.h"
+#include "nodes/types/vertex_targets.h"
+
+namespace face::meshik {
+
+// Constraints of one axis: which of the targets, and the inverse of
+//   [ C A^-1 C'  E ]     A = G'G without pinned vertices, E = part of every constrained vertex
+//   [ E'         0 ]
+// whose solution is the pull of every constraint and the shift of every part that has one.
+struct AxisConstraints {
+  std::vector<std::size_t> targets;
+  std::vector<std::uint32_t> parts;  // of the mesh, those with a constraint
+  std::vector<double> inverse;       // (targets + parts)^2, row by row
+};
+
+class ConstraintSolver {
+ public:
+  ConstraintSolver(const MeshSpace& space, const VertexTargets& targets);
+
+  const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+  const AxisConstraints& axis(std::size_t d) const { return d == 2 ? z_ : xy_; }
+  // L^-1 P c of every target: free_count x targets.
+  const std::vector<double>& lower() const { return lower_; }
+
+  // From the sums of gradients (free_count + 1 rows of 4) to vertices; `sums` is overwritten.
+  std::vector<double> solve(std::vector<double>& sums, const VertexTargets& targets,
+                            const std::vector<double>& weights) const;
+
+ private:
+  void make_axis(const std::vector<std::size_t>& chosen, AxisConstraints& axis) const;
+
+  const MeshSpace& space_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<double> lower_, schur_;  // schur: C A^-1 C'
+  AxisConstraints xy_, z_;
+};
+
+}  // namespace face::meshik

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/solve.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/check.h"
+#include "nodes/meshik/blend_jacobian.h"
+#include "nodes/meshik/constraint_solver.h"
+#include "nodes/meshik/factor_space.h"
+#include "nodes/meshik/gradient_sums.h"
+#include "nodes/meshik/mesh_triangles.h"
+
+namespace face::meshik {
+namespace {
+
+using FloatMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+// G v - M q of a tile, at the vertices v; 0 in lanes that hold no triangle.
+double residual_of(const MeshSpace& space, std::size_t tile, const BlendTile& blend, const std::vector<double>& v,
+                   double (&residual)[2][3][tile_lanes]) {
+  const std::size_t first = tile * tile_lanes, end = std::min(first + tile_lanes, space.triangles.size() / 3);
+  const double* g = &space.gradients[tile * 4 * tile_lanes];
+  double energy = 0;
+  for (std::size_t l = 0; l < tile_lanes; ++l)
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (first + l >= end) {
+        residual[0][d][l] = residual[1][d][l] = 0;
+        continue;
+      }
+      const std::uint32_t* corner = &space.triangles[3 * (first + l)];
+      const double base = v[3 * corner[0] + d], e1 = v[3 * corner[1] + d] - base, e2 = v[3 * corner[2] + d] - base;
+      for (std::size_t q = 0; q < 2; ++q) {
+        const double value = g[q * tile_lanes + l] * e1 + g[(2 + q) * tile_lanes + l] * e2 - blend.blended[q][d][l];
+        residual[q][d][l] = value;
+        energy += value * value;
+      }
+    }
+  return energy;
+}
+
+}  // namespace
+
+struct MeshIkSolver::State {
+  State(const MeshSpace& s, const VertexTargets& targets) : space(s), constraints(s, targets) {}
+
+  const MeshSpace& space;
+  ConstraintSolver constraints;
+
+  void check_same(const VertexTargets& targets) const {
+    bool same = targets.targets.size() == constraints.vertices().size();
+    std::size_t z = 0;
+    for (std::size_t i = 0; same && i < targets.targets.size(); ++i) {
+      const VertexTarget& target = targets.targets[i];
+      const std::vector<std::size_t>& with_z = constraints.axis(2).targets;
+      same = target.vertex == constraints.vertices()[i] && target.has_z == (z < with_z.size() && with_z[z] == i);
+      z += target.has_z;
+      for (const double value : {target.x_mm, target.y_mm, target.has_z ? target.z_mm : 0})
+        check(std::isfinite(value), "target ", i, " is at ", value, " mm, expected finite numbers");
+    }
+    check(same, "the targets are other vertices than those that the solver was made for");
+  }
+
+  double evaluate(const VertexTargets& targets, const std::vector<double>& weights, std::vector<double>& vertices,
+                  std::vector<double>* gradient) const {
+    std::vector<double> sums(4 * (free_count(space) + 1), 0.0);
+    std::vector<BlendTile> tiles(tile_count(space));
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+      blend_tile(space, tile, weights.data(), tiles[tile]);
+      add_gradients(space, tile, tiles[tile].blended, sums.data());
+    }
+    vertices = constraints.solve(sums, targets, weights);
+    if (gradient) gradient->assign(weights.size(), 0.0);
+    double energy = 0, residual[2][3][tile_lanes];
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+      energy += residual_of(space, tile, tiles[tile], vertices, residual);
+      // dE/da = -2 J'r: the vertices are at their best, so that their own change does not count.
+      if (gradient) add_blend_gradient(space, tile, tiles[tile], residual, gradient->data());
+    }
+    if (gradient)
+      for (double& value : *gradient) value *= -2;
+    return energy;
+  }
+
+  // Half the second derivative of the energy, without the curvature of M (Gauss-Newton), in single precision: it only
+  // steers.
+  Eigen::MatrixXd hessian(const std::vector<double>& weights) const {
+    const std::size_t examples = weights.size(), width = (examples + 7) / 8 * 8, count = free_count(space);
+    const std::size_t tiles = tile_count(space), triangles = space.triangles.size() / 3;
+    FloatMatrix hessian = FloatMatrix::Zero(index(width), index(width));
+    std::vector<float> derivative(tiles * tile_lanes * 2 * width), sums((count + 1) * width);
+    std::vector<double> one(2 * 3 * tile_lanes);
+    std::vector<std::vector<float>> all(3, derivative);
+    BlendTile blend;
+    double part[2][3][tile_lanes];
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+      blend_tile(space, tile, weights.data(), blend);
+      const std::size_t lanes = std::min(tile_lanes, triangles - tile * tile_lanes);
+      for (std::size_t k = 0; k < examples; ++k) {
+        blend_derivative(space, tile, k, blend, part);
+        for (std::size_t d = 0; d < 3; ++d)
+          for (std::size_t l = 0; l < lanes; ++l)
+            for (std::size_t q = 0; q < 2; ++q)
+              all[d][((tile * tile_lanes + l) * 2 + q) * width + k] = static_cast<float>(part[q][d][l]);
+      }
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Eigen::Map<const FloatMatrix> j(all[d].data(), index(2 * triangles), index(width));
+      hessian.selfadjointView<Eigen::Lower>().rankUpdate(j.transpose());
+      // B = G'J, Z = L^-1 B.
+      std::fill(sums.begin(), sums.end(), 0.0f);
+      for (std::size_t t = 0; t < triangles; ++t) {
+        const HatGradients g = hat_gradients(space, t);
+        const float* first = &all[d][t * 2 * width];
+        for (std::size_t c = 0; c < 3; ++c) {
+          float* row = &sums[std::min<std::size_t>(space.order[space.triangles[3 * t + c]], count) * width];
+          const auto a = static_cast<float>(g.along[c][0]), b = static_cast<float>(g.along[c][1]);
+          for (std::size_t k = 0; k < width; ++k) row[k] += a * first[k] + b * first[width + k];
+        }
+      }
+      solve_lower_wide(space, sums.data(), width);
+      const Eigen::Map<const FloatMatrix> z(sums.data(), index(count), index(width));
+      hessian.selfadjointView<Eigen::Lower>().rankUpdate(z.transpose(), -1.0f);
+      // What the constraints take from the vertices' freedom.
+      const AxisConstraints& axis = constraints.axis(d);
+      const std::size_t n = axis.targets.size(), size = n + axis.parts.size(), columns = constraints.vertices().size();
+      if (n == 0) continue;
+      const Eigen::Map<const RowMatrix> lower(constraints.lower().data(), index(count), index(columns));
+      const RowMatrix moved = lower.transpose() * z.cast<double>();  // C A^-1 B
+      RowMatrix chosen(index(n), index(width));
+      for (std::size_t i = 0; i < n; ++i) chosen.row(index(i)) = moved.row(index(axis.targets[i]));
+      const Eigen::Map<const RowMatrix> inverse(axis.inverse.data(), index(size), index(size));
+      hessian += (chosen.transpose() * inverse.topLeftCorner(index(n), index(n)) * chosen).cast<float>();
+    }
+    const Eigen::MatrixXf full = hessian.selfadjointView<Eigen::Lower>();
+    return full.topLeftCorner(index(examples), index(examples)).cast<double>();
+  }
+};
+
+MeshIkSolver::MeshIkSolver(const MeshSpace& space, const VertexTargets& targets)
+    : state_(std::make_unique<const State>(space, targets)) {}
+MeshIkSolver::~MeshIkSolver() = default;
+
+double MeshIkSolver::energy(const VertexTargets& targets, const std::vector<double>& weights,
+                            std::vector<double>* gradient) const {
+  state_->check_same(targets);
+  std::vector<double> vertices;
+  return state_->evaluate(targets, weights, vertices, gradient);
+}
+
+VertexSolution MeshIkSolver::solve(const VertexTargets& targets, const std::vector<double>& start,
+                                   const SolveOptions& options) const {
+  const MeshSpace& space = state_->space;
+  check(start.size() == space.example_count, "start has ", start.size(), " weights, expected ", space.example_count);
+  state_->check_same(targets);
+  const std::size_t count = start.size();
+  const double restraint = options.restraint * static_cast<double>(space.triangles.size() / 3);
+  VertexSolution best;
+  best.weights = start;
+  std::vector<double> gradient;
+  best.energy = state_->evaluate(targets, best.weights, best.vertices_mm, &gradient);
+  best.converged = count == 0;
+  const auto with_restraint = [&](double energy, const std::vector<double>& weights) {
+    for (const double weight : weights) energy += restraint * weight * weight;
+    return energy;
+  };
+  // Half the gradient and half the Hessian, with the restraint. The Hessian is Gauss and Newton's at the start; then
+  // every step teaches it the curvature that it met.
+  const auto slope_of = [&](const std::vector<double>& at, const std::vector<double>& weights) {
+    Eigen::VectorXd slope(index(count));
+    for (std::size_t k = 0; k < count; ++k) slope[index(k)] = at[k] / 2 + restraint * weights[k];
+    return slope;
+  };
+  Eigen::MatrixXd hessian;
+  double damping = 0;
+  bool fresh = false;
+  while (!best.converged && best.iterations < options.max_iterations) {
+    ++best.iterations;
+    if (hessian.size() == 0) {
+      hessian = state_->hessian(best.weights);
+      // Single precision leaves 1e-6 of the diagonal uncertain.
+      hessian.diagonal().array() += restraint + 1e-6 * hessian.trace() / static_cast<double>(count);
+      fresh = true;
+    }
+    const Eigen::VectorXd slope = slope_of(gradient, best.weights);
+    Eigen::MatrixXd damped = hessian;
+    damped.diagonal().array() += damping * hessian.trace() / static_cast<double>(count);
+    const Eigen::VectorXd step = -damped.ldlt().solve(slope);
+    const double length = step.cwiseAbs().maxCoeff();
+    if (!std::isfinite(length)) break;
+    std::vector<double> weights = best.weights, vertices, next_gradient;
+    for (std::size_t k = 0; k < count; ++k) weights[k] += step[index(k)];
+    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient);
+    const double before = with_restraint(best.energy, best.weights), after = with_restraint(energy, weights);
+    // Rounding may raise an energy that is at its least.
+    if (after > before * (1 + 1e-10) + 1e-18) {
+      best.converged = length < options.tolerance;
+      // Another Hessian first; where this one was new, a shorter step.
+      if (fresh)
+        damping = damping > 0 ? damping * 10 : 1e-3;
+      else
+        hessian.resize(0, 0);
+      continue;
+    }
+    const Eigen::VectorXd turn = slope_of(next_gradient, weights) - slope;
+    const double curvature = turn.dot(step);
+    if (curvature > 1e-12 * turn.norm() * step.norm()) {
+      const Eigen::VectorXd known = hessian * step;
+      hessian += turn * turn.transpose() / curvature - known * known.transpose() / known.dot(step);
+      fresh = false;
+    }
+    best.weights = std::move(weights);
+    best.vertices_mm = std::move(vertices);
+    best.energy = energy;
+    gradient = std::move(next_gradient);
+    damping = damping > 1e-6 ? damping / 10 : 0;
+    best.converged = length < options.tolerance;
+  }
+  return best;
+}
+
+SolveResult solve(const MeshSpace& space, const VertexTargets& targets, const Weights* start,
+                  const SolveOptions& options) {
+  std::vector<double> weights(static_cast<std::size_t>(space.example_count), 0.0);
+  if (start) {
+    check(start->values.size() <= weights.size(), "start has ", start->values.size(), " weights, expected at most ",
+          weights.size());
+    for (std::size_t k = 0; k < start->values.size(); ++k) {
+      check(std::isfinite(start->values[k]), "start holds ", start->values[k], ", expected finite numbers");
+      weights[k] = static_cast<double>(start->values[k]);
+    }
+  }
+  const VertexSolution found = MeshIkSolver(space, targets).solve(targets, weights, options);
+  SolveResult result;
+  for (const double weight : found.weights) result.weights.values.push_back(static_cast<float>(weight));
+  result.points.points_mm = points_of(found.vertices_mm);
+  const double triangles = std::max(1.0, static_cast<double>(space.triangles.size() / 3));
+  result.rms_gradient = std::sqrt(found.energy / triangles);
+  result.converged = found.converged;
+  result.iterations = found.iterations;
+  return result;
+}
+
+}  // namespace face::meshik
