@@ -8,6 +8,7 @@
 #include "nodes/phantom/person_random.h"
 #include "nodes/phantom/person_skin.h"
 #include "nodes/phantom/person_warp.h"
+#include "nodes/phantom/set_back_teeth.h"
 #include "nodes/phantom/shut_lids.h"
 
 namespace face::phantom {
@@ -65,7 +66,10 @@ MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const std::s
     if (result.coefficients.at(0, k) != 0)
       add_shape(modes->shapes[k], static_cast<float>(result.coefficients.at(0, k)), person.neutral.points_mm);
   if (options.warp_mm > 0) result.warp_mm = warp_person(seed, options.warp_mm, person);
-  if (options.warp_mm > 0 || options.spread > 0) shut_lids(rig, person);
+  if (options.warp_mm > 0 || options.spread > 0) {
+    shut_lids(rig, person);
+    set_back_teeth(rig, person);
+  }
 
   if (!options.skin && !options.moles && !options.lipstick && !options.painted && options.markers == Markers::none)
     return result;

@@ -36,6 +36,8 @@ struct MakePersonResult {
 // A person after a rig: identity modes with random coefficients, a smooth warp that no linear model contains, and a
 // skin. Bit for bit the same for a seed; each of the options' parts is drawn by itself, so that none changes another.
 // modes: null = none. id: the person's, where one node makes many (seq.ids): every id is another person; may be null.
+// Beside modes and warp, shut lids are made to meet over the eyeball (shut_lids.h), and teeth go back behind lips that
+// have come too near (set_back_teeth.h).
 // Skin, dots, markers and lipstick are placed by the rig's 68 landmarks and throw without them.
 MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const std::string* id,
                              const MakePersonOptions& options = {});

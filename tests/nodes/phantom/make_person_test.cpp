@@ -247,6 +247,29 @@ TEST(MakePerson, KeepsTeethSolidInEveryPose) {
     }
 }
 
+TEST(MakePerson, SetsTeethBackBehindLipsThatCameTooNear) {
+  // A mode of the skin alone, as scans give them: the lips go back by 6 mm and the teeth stay.
+  face::Shape thin_lips;
+  thin_lips.name = "thin_lips";
+  for (const std::uint32_t v : part_vertices("face")) {
+    thin_lips.vertices.push_back(v);
+    thin_lips.offsets_mm.push_back({0, 0, -6});
+  }
+  const ShapeSet set = {{thin_lips}};
+  MakePersonOptions options = plain();
+  options.spread = 1;
+  bool seen = false;
+  for (options.seed = 1; options.seed <= 6; ++options.seed) {
+    const MakePersonResult result = make_person(head(), &set, nullptr, options);
+    const double lips_mm = -6 * result.coefficients.at(0, 0);
+    const std::uint32_t tooth = head().upper_teeth[0];
+    const double teeth_mm = double{result.person.neutral.points_mm[tooth][2]} - head().neutral.points_mm[tooth][2];
+    EXPECT_NEAR(teeth_mm, std::min(0.0, lips_mm + 0.5), 1e-4) << options.seed;
+    seen = seen || teeth_mm < -1;
+  }
+  EXPECT_TRUE(seen);
+}
+
 TEST(MakePerson, DrawsEveryPartByItself) {
   MakePersonOptions bare = warped(9, 1), dressed = bare;
   bare.skin = bare.moles = false;
