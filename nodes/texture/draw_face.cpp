@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/texture/draw_face.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nodes/base/check.h"
+#include "nodes/model/light_model.h"
+#include "nodes/model/skin_modes.h"
+#include "nodes/render/mouth_light.h"
+#include "nodes/render/rgb_image.h"
+#include "nodes/texture/posed_face.h"
+#include "nodes/texture/skin_atlas.h"
+
+namespace face::texture {
+namespace {
+
+// Where drawing fades, mm: below the eyes, above the neck, in front of the ears.
+constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 14, chin_fade_mm = 20, ears_fade_mm = 22;
+
+float smooth_step(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+bool in_mouth(const std::string& part) {
+  for (const char* word : {"mouth", "gum", "tongue", "teeth"})
+    if (part.find(word) != std::string::npos) return true;
+  return false;
+}
+
+Vec3f texel(const AlbedoMap& map, float x, float y) {
+  x = std::clamp(x, 0.0f, static_cast<float>(map.width) - 1.001f);
+  y = std::clamp(y, 0.0f, static_cast<float>(map.height) - 1.001f);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+  Vec3f sum{};
+  float weight = 0;
+  for (int dy = 0; dy < 2; ++dy)
+    for (int dx = 0; dx < 2; ++dx) {
+      const Vec3f& value = map.albedo[static_cast<std::size_t>(y0 + dy) * static_cast<std::size_t>(map.width) +
+                                      static_cast<std::size_t>(x0 + dx)];
+      const float share = (dx == 1 ? fx : 1 - fx) * (dy == 1 ? fy : 1 - fy);
+      if (value[0] <= 0) continue;  // outside the atlas
+      weight += share;
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += share * value[c];
+    }
+  if (weight > 0)
+    for (float& v : sum) v /= weight;
+  return sum;
+}
+
+}  // namespace
+
+std::vector<float> drawn_share(const Rig& person) {
+  const std::vector<Vec3f>& points = person.neutral.points_mm;
+  std::vector<float> share(points.size(), 1.0f);
+  if (person.landmarks68.size() != 68) return share;
+  const auto mark = [&](std::size_t i) { return points[person.landmarks68[i]]; };
+  const float eyes = 0.25f * (mark(40)[1] + mark(41)[1] + mark(46)[1] + mark(47)[1]) - below_eyes_mm;
+  const float chin = mark(8)[1] - below_chin_mm;
+  const float ears = 0.5f * (mark(1)[2] + mark(15)[2]);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Vec3f& p = points[v];
+    share[v] = (1 - smooth_step(eyes - eyes_fade_mm, eyes, p[1])) * smooth_step(chin - chin_fade_mm, chin, p[1]) *
+               smooth_step(ears, ears + ears_fade_mm, p[2]);
+  }
+  return share;
+}
+
+FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
+                    int samples) {
+  const Mesh& mesh = person.neutral;
+  const PosedFace face = pose_face(mesh, points_mm, fit, samples);
+  const std::vector<float> share = drawn_share(person);
+  const std::vector<render::Triangle> corners = uv_corners(mesh, face.solid);
+  const SkinAtlas atlas = make_skin_atlas(mesh);
+  const std::vector<Vec3f> own = model::vertex_albedo(mesh);
+  const render::MouthLight mouth = render::mouth_light(person, points_mm);
+  std::vector<char> mouth_part(mesh.parts.size());
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) mouth_part[p] = in_mouth(mesh.parts[p].name);
+
+  FaceLayer layer;
+  layer.width = fit.image_width_px;
+  layer.height = fit.image_height_px;
+  const std::size_t pixels = static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height);
+  layer.colour.assign(pixels, Vec3f{0, 0, 0});
+  layer.alpha.assign(pixels, 0.0f);
+  layer.cover.assign(pixels, 0.0f);
+  const float part_of_pixel = 1.0f / static_cast<float>(samples * samples);
+  const auto width = static_cast<float>(albedo.width), height = static_cast<float>(albedo.height);
+  for (int y = 0; y < face.raster.height_px; ++y)
+    for (int x = 0; x < face.raster.width_px; ++x) {
+      const std::int32_t found = face.raster.triangles[face.raster.index(x, y)];
+      if (found < 0) continue;
+      const auto t = static_cast<std::size_t>(found);
+      const std::size_t pixel = static_cast<std::size_t>(y / samples) * static_cast<std::size_t>(layer.width) +
+                                static_cast<std::size_t>(x / samples);
+      layer.cover[pixel] += part_of_pixel;
+      const bool is_mouth = !mesh.parts.empty() && mouth_part[face.solid.parts[t]] != 0;
+      if (!face.skin[t] && !is_mouth) continue;
+      const render::Triangle& triangle = face.solid.triangles[t];
+      const Vec3f b = render::barycentrics_at(face.screen, triangle, static_cast<float>(x), static_cast<float>(y));
+      float drawn = 0, exposure = 0;
+      double parallel = 0;
+      Vec3f colour{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        drawn += b[i] * (is_mouth ? 1.0f : share[triangle[i]]);
+        exposure += b[i] * mouth.exposure[triangle[i]];
+        parallel += static_cast<double>(b[i]) * face.parallel[triangle[i]];
+        for (std::size_t c = 0; c < 3; ++c) colour[c] += b[i] * own[triangle[i]][c];
+      }
+      drawn = std::clamp(drawn, 0.0f, 1.0f);
+      if (drawn <= 0) continue;
+      if (face.skin[t]) {
+        float u = 0, v = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          u += b[i] * atlas.uvs[corners[t][i]][0];
+          v += b[i] * atlas.uvs[corners[t][i]][1];
+        }
+        colour = texel(albedo, u * width - 0.5f, (1 - v) * height - 0.5f);
+      }
+      std::array<double, 3> lit{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        double strength = model::light_at(fit.light, c, parallel);
+        if (is_mouth)
+          strength = strength * exposure +
+                     (1.0 - exposure) * mouth.bounced[c] * (fit.light.ambient[c] + fit.light.parallel[c]);
+        lit[c] = strength * colour[c];
+      }
+      const std::array<double, 3> value = model::shown(fit.light, lit);
+      layer.alpha[pixel] += drawn * part_of_pixel;
+      for (std::size_t c = 0; c < 3; ++c)
+        layer.colour[pixel][c] += drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));
+    }
+  return layer;
+}
+
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background) {
+  const Image front = render::rgb_image(picture), back = render::rgb_image(background);
+  check(front.width == layer.width && front.height == layer.height, "the picture is ", front.width, " x ", front.height,
+        " pixels, the fit was made on ", layer.width, " x ", layer.height);
+  check(back.width == layer.width && back.height == layer.height, "the background is ", back.width, " x ", back.height,
+        " pixels, expected ", layer.width, " x ", layer.height);
+  Image result = front;
+  for (std::size_t i = 0; i < layer.alpha.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float kept = std::max(0.0f, layer.cover[i] - layer.alpha[i]), open = std::max(0.0f, 1 - layer.cover[i]);
+      const float value = 255.0f * layer.colour[i][c] + kept * front.pixels[3 * i + c] + open * back.pixels[3 * i + c];
+      result.pixels[3 * i + c] = static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
+    }
+  return result;
+}
+
+}  // namespace face::texture

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "nodes/types/albedo_map.h"
+#include "nodes/types/face_fit.h"
+#include "nodes/types/image.h"
+#include "nodes/types/rig.h"
+
+namespace face::texture {
+
+// A face drawn with a fit's camera and light, to be laid over its picture.
+struct FaceLayer {
+  int width = 0, height = 0;
+  std::vector<Vec3f> colour;  // height x width, sRGB in [0, 1], times alpha
+  std::vector<float> alpha;   // how much the drawn face replaces the picture
+  std::vector<float> cover;   // how much of the pixel is face, whether drawn or left
+};
+
+// How much of a vertex is drawn anew: 1 from the cheeks to under the chin and inside the mouth; 0 at the eyes and
+// above, at the ears and at the neck, which keep the picture. In between it fades, so that the drawing has no edge.
+// person: its 68 landmarks; without them all is 1.
+std::vector<float> drawn_share(const Rig& person);
+
+// points_mm: the person's vertices, posed. The skin takes its colour from the map, everything else from the mesh; the
+// mouth is darker the deeper, as render::mouth_light says. samples: per pixel and axis.
+FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
+                    int samples);
+
+// The layer over the picture where a face was and is, over the background where one was.
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background);
+
+}  // namespace face::texture

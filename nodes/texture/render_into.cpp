@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/texture/render_into.h"
+
+#include "nodes/base/pose.h"
+#include "nodes/model/pose_model.h"
+#include "nodes/texture/draw_face.h"
+
+namespace face::texture {
+
+Image render_into(const MorphableModel& model, const Rig& person, const AlbedoMap& albedo, const FaceFit& fit,
+                  const Image& picture, const Image* background, const Weights* weights,
+                  const RenderIntoOptions& options) {
+  const std::vector<Vec3f> points =
+      weights != nullptr ? pose_points(person, *weights) : model::pose_model(model, fit.identity, fit.expression);
+  return lay_over(draw_face(person, albedo, points, fit, static_cast<int>(options.samples)), picture,
+                  background != nullptr ? *background : picture);
+}
+
+}  // namespace face::texture
