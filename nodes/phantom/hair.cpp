@@ -13,7 +13,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr Vector3 kHairDark = {0.20, 0.125, 0.085}, kHairLight = {0.50, 0.33, 0.21};
 
 // Elevation of the hairline by azimuth, both in degrees.
-constexpr std::array<std::array<double, 2>, 14> kHairline = {{{0, 51},
+constexpr std::array<std::array<double, 2>, 15> kHairline = {{{0, 51},
                                                               {14, 52},
                                                               {28, 51},
                                                               {40, 45},
@@ -23,9 +23,10 @@ constexpr std::array<std::array<double, 2>, 14> kHairline = {{{0, 51},
                                                               {75, 15},
                                                               {82, 20},
                                                               {92, 28},
-                                                              {108, 26},
-                                                              {122, 6},
-                                                              {140, -16},
+                                                              {101, 24},
+                                                              {110, 6},
+                                                              {121, -8},
+                                                              {140, -18},
                                                               {180, -26}}};
 
 double hairline(double azimuth_deg) {

@@ -106,7 +106,7 @@ SurfaceDots random_moles(const Rig& rig, const FacePlaces& places, std::int64_t 
   for (const Corners& triangle : face_triangles(rig.neutral)) {
     const Vector3 a = corner(rig, triangle, 0), b = corner(rig, triangle, 1), c = corner(rig, triangle, 2);
     const Vector3 p = (a + b + c) * (1.0 / 3), normal = cross(b - a, c - a);
-    if (p.y < chin_y || p.y > top_y || normal.z < 0.15 * length(normal) || places.front(p) < 0.5) continue;
+    if (p.y < chin_y || p.y > top_y || normal.z < 0.15 * length(normal) || places.front(p) < 0.95) continue;
     if (places.from_lips_mm(p) < 7 || places.from_eyes_mm(p) < 6 || places.from_brows_mm(p) < 6) continue;
     triangles.push_back(triangle);
     area_below.push_back(area_below.back() + 0.5 * length(normal));
