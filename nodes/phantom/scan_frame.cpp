@@ -14,8 +14,6 @@
 namespace face::phantom {
 namespace {
 
-float luminance(const Vec3f& colour) { return 0.3f * colour[0] + 0.59f * colour[1] + 0.11f * colour[2]; }
-
 // Depth over the five pictures at every pixel: what first and last show, where motion counts.
 struct Motion {
   std::vector<float> first;  // 1 / depth, as of a raster; empty without motion
@@ -49,6 +47,7 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
   const auto noise_mm = static_cast<float>(options.noise_mm), grazing = static_cast<float>(options.grazing);
   const auto min_signal = static_cast<float>(options.min_signal), dropouts = static_cast<float>(options.dropouts);
   const auto depth_step = static_cast<float>(options.depth_step_mm), ambient = static_cast<float>(options.ambient);
+  const auto exposure = static_cast<float>(options.exposure);
   const auto grey_noise = static_cast<float>(options.grey_noise);
   const auto max_motion = static_cast<float>(options.max_motion_mm);
   const auto phase_per_px = static_cast<float>(4 * std::numbers::pi / options.ripple_period_px);  // of 2 phase
@@ -57,13 +56,13 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
   ScanFrameResult result;
   result.scan.camera = camera;
   result.scan.picture = {options.width_px, options.height_px, 1, {}};
-  std::vector<float> grey(pixels, 255 * curve(0.05f * ambient));  // a dark room
+  std::vector<float> grey(pixels, 255 * curve(exposure * 0.05f * ambient));  // a dark room
   result.scan.depth_mm.assign(pixels, 0.0f);
   view.for_each([&](const SeenPoint& seen) {
     const bool measured_light = seen.lit || !options.shadow_holes;
     const float cosine = std::max(0.0f, seen.projector_cosine);
     const float albedo = luminance(seen.albedo);
-    grey[seen.pixel] = 255 * curve(albedo * (ambient * seen.ambient + (seen.lit ? cosine : 0.0f)));
+    grey[seen.pixel] = 255 * curve(exposure * albedo * (ambient * seen.ambient + (seen.lit ? cosine : 0.0f)));
     const float smaller = options.shadow_holes ? std::min(seen.camera_cosine, cosine) : seen.camera_cosine;
     if (!measured_light || seen.lost > 0.5f || smaller < steepest || albedo * smaller < min_signal) return;
     if (dropouts > 0 && dropout.uniform(seen.pixel) < dropouts) return;

@@ -33,6 +33,9 @@ struct SeenPoint {
   bool lit = false;            // within the projector's picture and not in a shadow
 };
 
+// The luminance of Lighting, of linear light.
+inline float luminance(const Vec3f& colour) { return 0.3f * colour[0] + 0.59f * colour[1] + 0.11f * colour[2]; }
+
 // A head at one moment in front of a camera and a projector.
 class ScannerView {
  public:
