@@ -13,7 +13,7 @@ struct StructuredLightOptions {
   int coarse_periods = 3;
   double near_mm = 800;  // of the depths that can be
   double far_mm = 1150;
-  double min_amplitude = 12;   // of the fringes, in 1/255; less is shadow or background
+  double min_amplitude = 9;    // of the fringes, in 1/255; less is shadow or background
   double max_mismatch = 0.35;  // of a fine period, between coarse and fine fringes; more is motion or an edge
 };
 
