@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "engine/port.h"
+#include "nodes/trajectory/speech_targets.h"
+#include "nodes/types/phone_statistics.h"
+#include "nodes/types/phones.h"
+#include "nodes/types/timeline.h"
+#include "nodes/types/weights.h"
+
+namespace face::trajectory {
+
+enum class CovarianceUse { diagonal, full };
+
+struct SpeakGaussianOptions {
+  double rate_hz = 30;
+  double smoothness = 10;  // lambda at 30 frames per second, the paper's
+  CovarianceUse covariance = CovarianceUse::diagonal;
+  Normalise normalise = Normalise::none;
+  bool hold_closures = false;
+};
+
+// The statistic of a label: its own, else that of the whole phone or of its closure or release, else that of all
+// speech.
+const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const std::string& label);
+
+// Turns phones into the path of least energy through a trained speaker's Gaussians (Animating Lip-Sync Speech Faces,
+// Eqs 6 and 7; Ezzat, Geiger and Poggio 2002): (x - mu)' D' Sigma^-1 D (x - mu) + lambda |x_t - x_(t-1)|^2. The plain
+// variant of trajectory.speak, for comparison.
+// Differs from the paper: lambda is per time, not per frame: lambda (rate / 30 Hz)^2; optionally the whole covariance;
+// optionally the middle of every bilabial closure is where training had it, exactly (the paper's large variances of
+// plosives leave lips open).
+Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics, engine::SeqWriter<Weights>& weights,
+                        const SpeakGaussianOptions& options = {});
+
+}  // namespace face::trajectory

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/trajectory/speak_gaussian.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nodes/base/random.h"
+#include "nodes/trajectory/train_phones.h"
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::trajectory;
+
+// Phones of 0.2 s; frames at 30 Hz whose weights scatter about a place of their phone's.
+struct Training {
+  Phones phones;
+  Timeline timeline;
+  std::vector<Weights> frames;
+
+  explicit Training(double scatter) {
+    Random random(9);
+    const std::vector<std::pair<std::string, double>> said = {{"SIL", 0}, {"AA", 1}, {"P.c", -0.5}, {"P.r", 0.4}};
+    for (std::size_t i = 0; i < 200; ++i) {
+      const auto& [label, place] = said[i % 4];
+      const double start_s = 0.2 * static_cast<double>(i);
+      phones.phones.push_back({label, start_s, start_s + 0.2, "", 0});
+      for (int f = 0; f < 6; ++f) {
+        const double a = scatter * random.normal(), b = scatter * random.normal();
+        frames.push_back({{static_cast<float>(place + a), static_cast<float>(2 * place + 0.9 * a + 0.1 * b)}});
+        timeline.time_s.push_back(static_cast<double>(timeline.time_s.size()) / 30);
+      }
+    }
+    phones.duration_s = timeline.duration_s = 40;
+  }
+  PhoneStatistics train(const TrainPhonesOptions& options = {}) const {
+    return train_phones(engine::Seq<Weights>(frames), timeline, phones, options);
+  }
+};
+
+std::vector<Weights> speak(const Phones& phones, const PhoneStatistics& statistics,
+                           const SpeakGaussianOptions& options) {
+  std::vector<Weights> frames;
+  engine::SeqWriter<Weights> writer([&](const std::string&, Weights frame) { frames.push_back(std::move(frame)); });
+  const Timeline timeline = speak_gaussian(phones, statistics, writer, options);
+  EXPECT_EQ(timeline.time_s.size(), frames.size());
+  return frames;
+}
+
+Phones sentence() {
+  Phones phones;
+  for (const char* label : {"SIL", "AA", "P.c", "P.r", "AA", "SIL"}) {
+    const double start_s = phones.duration_s;
+    phones.duration_s += 0.1;
+    phones.phones.push_back({label, start_s, phones.duration_s, "", 0});
+  }
+  return phones;
+}
+
+TEST(TrainPhones, FindsTheMeanAndTheCovarianceOfEveryPhone) {
+  TrainPhonesOptions options;
+  options.prior_frames = 0;
+  options.least_sigma = 1e-6;
+  const PhoneStatistics found = Training(0.1).train(options);
+  ASSERT_EQ(found.phones.size(), 4u);
+  EXPECT_EQ(found.phones[0].label, "AA");
+  EXPECT_EQ(found.phones[0].frames, 300);
+  // 0.1 / sqrt(300) = 0.006 is the mean's own deviation.
+  EXPECT_NEAR(found.phones[0].mean[0], 1, 0.02);
+  EXPECT_NEAR(found.phones[1].mean[1], -1, 0.02);
+  EXPECT_NEAR(found.phones[0].covariance[0], 0.01, 0.002);
+  EXPECT_NEAR(found.phones[0].covariance[1], 0.009, 0.002);
+  EXPECT_NEAR(found.phones[0].covariance[3], 0.0082, 0.002);
+  EXPECT_EQ(found.phones[0].covariance[1], found.phones[0].covariance[2]);
+  EXPECT_EQ(found.all.frames, 1200);
+}
+
+TEST(TrainPhones, KeepsEveryDirectionAboveTheFloor) {
+  TrainPhonesOptions options;
+  options.prior_frames = 0;
+  options.least_sigma = 0.05;
+  for (const PhoneStatistic& phone : Training(0).train(options).phones) {
+    EXPECT_NEAR(phone.covariance[0], 0.0025, 1e-9);
+    EXPECT_NEAR(phone.covariance[1], 0, 1e-9);
+  }
+}
+
+TEST(TrainPhones, LeavesOutFramesWithoutWeights) {
+  Training training(0);
+  for (std::size_t f = 6; f < 10; ++f) training.frames[f].values.clear();
+  EXPECT_EQ(training.train().phones[0].frames, 296);
+  for (Weights& frame : training.frames) frame.values.clear();
+  EXPECT_THROW_TEXT(training.train(), "no frame with weights lies within the phones");
+}
+
+TEST(TrainPhones, RejectsCountsThatDiffer) {
+  Training training(0);
+  training.timeline.time_s.pop_back();
+  EXPECT_THROW_TEXT(training.train(), "there are 1200 frames of weights and 1199 times, expected as many");
+  training = Training(0);
+  training.frames[7].values.pop_back();
+  EXPECT_THROW_TEXT(training.train(), "frame 7 has 1 weights, expected 2 as the first one");
+}
+
+TEST(SpeakGaussian, ReachesEveryMeanWithoutSmoothness) {
+  const PhoneStatistics statistics = Training(0.1).train();
+  SpeakGaussianOptions options;
+  options.smoothness = 0;
+  for (const CovarianceUse covariance : {CovarianceUse::diagonal, CovarianceUse::full}) {
+    options.covariance = covariance;
+    const std::vector<Weights> frames = speak(sentence(), statistics, options);
+    ASSERT_EQ(frames.size(), 18u);
+    EXPECT_NEAR(frames[4].values[0], find_statistic(statistics, "AA").mean[0], 1e-6);
+    EXPECT_NEAR(frames[7].values[1], find_statistic(statistics, "P.c").mean[1], 1e-6);
+  }
+}
+
+TEST(SpeakGaussian, FullAndDiagonalAgreeWhereParametersAreIndependent) {
+  PhoneStatistics statistics = Training(0.1).train();
+  for (PhoneStatistic& phone : statistics.phones) phone.covariance[1] = phone.covariance[2] = 0;
+  const std::vector<Weights> diagonal = speak(sentence(), statistics, {});
+  SpeakGaussianOptions options;
+  options.covariance = CovarianceUse::full;
+  const std::vector<Weights> full = speak(sentence(), statistics, options);
+  for (std::size_t t = 0; t < full.size(); ++t)
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(full[t].values[k], diagonal[t].values[k], 1e-6);
+}
+
+TEST(SpeakGaussian, IsTheSameCurveAtTwiceTheRate) {
+  const PhoneStatistics statistics = Training(0.3).train();
+  SpeakGaussianOptions options;
+  options.rate_hz = 120;
+  const std::vector<Weights> slow = speak(sentence(), statistics, options);
+  options.rate_hz = 240;
+  const std::vector<Weights> fast = speak(sentence(), statistics, options);
+  double least = 1, most = -1;
+  for (std::size_t t = 0; t < slow.size(); ++t) {
+    EXPECT_NEAR(fast[2 * t].values[0], slow[t].values[0], 0.05) << "frame " << t;
+    least = std::min(least, static_cast<double>(slow[t].values[0]));
+    most = std::max(most, static_cast<double>(slow[t].values[0]));
+  }
+  EXPECT_GT(most - least, 0.5);
+}
+
+TEST(SpeakGaussian, HoldsClosuresThatAPlainPathMisses) {
+  const PhoneStatistics statistics = Training(0.3).train();
+  const double closed = find_statistic(statistics, "P.c").mean[0];
+  SpeakGaussianOptions options;
+  const auto error = [&] { return std::abs(speak(sentence(), statistics, options)[8].values[0] - closed); };
+  EXPECT_GT(error(), 0.1);
+  options.hold_closures = true;
+  EXPECT_LT(error(), 1e-6);
+  options.covariance = CovarianceUse::full;
+  EXPECT_LT(error(), 1e-6);
+}
+
+TEST(SpeakGaussian, TakesTheNearestStatisticOfAPhoneThatWasNotSeen) {
+  const PhoneStatistics statistics = Training(0.1).train();
+  EXPECT_EQ(find_statistic(statistics, "P.r").label, "P.r");
+  EXPECT_EQ(find_statistic(statistics, "P").label, "P.c");
+  EXPECT_EQ(find_statistic(statistics, "AA.c").label, "AA");
+  EXPECT_EQ(&find_statistic(statistics, "ZH"), &statistics.all);
+}
+
+TEST(SpeakGaussian, RejectsStatisticsThatAreNone) {
+  engine::SeqWriter<Weights> writer([](const std::string&, const Weights&) {});
+  EXPECT_THROW_TEXT(speak_gaussian({}, Training(0.1).train(), writer), "there are no phones to speak");
+  PhoneStatistics statistics = Training(0.1).train();
+  statistics.phones[2].mean.pop_back();
+  EXPECT_THROW_TEXT(speak_gaussian(sentence(), statistics, writer),
+                    "the statistic of \"P.r\" has 1 means and 4 covariances, expected 2 and 4");
+}
+
+}  // namespace
