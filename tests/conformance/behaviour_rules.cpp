@@ -7,7 +7,9 @@
 #include <type_traits>
 #include <variant>
 
+#include "engine/port.h"
 #include "tests/conformance/node_samples.h"
+#include "tests/conformance/opened_files.h"
 #include "tests/conformance/rules.h"
 
 namespace conformance {
@@ -122,22 +124,27 @@ class Subject {
 
   void look() {
     const std::vector<engine::Digest> before = digests();
-    base_ = call(inputs_[0], params_);
+    look_at_files();
     if (base_.threw) {
       tell("call", "sample: refused: " + first_line(base_.what));
       return;
     }
-    if (!(call(inputs_[0], params_) == base_)) {
-      tell("result", "same result twice: the second differs");
-      return;  // nothing else can be told from results
-    }
-    look_at_threads();
     const std::vector<engine::Digest> after = digests();
     for (std::size_t p = 0; p < before.size(); ++p)
       if (before[p] != after[p])
         tell("input " + node_.info.inputs[p].name, "inputs unchanged: it was changed by the call");
-    for (std::size_t p = 0; p < params_.size(); ++p) look_at_param(p);
-    for (std::size_t p = 0; p < inputs_[0].size(); ++p) look_at_input(p);
+    if (before != after) return;  // nothing else can be told
+    if (!(call(inputs_[0], params_) == base_)) {
+      tell("result", "same result twice: the second differs");
+      return;
+    }
+    look_at_threads();
+    for (std::size_t p = 0; p < params_.size(); ++p)
+      if (node_.info.params[p].inert.empty())
+        judge("parameter", node_.info.params[p].name, param_counts(p),
+              "every parameter counts: no value changes the result, and it is not declared inert{\"why\"}");
+    for (std::size_t p = 0; p < inputs_[0].size(); ++p)
+      judge("input", node_.info.inputs[p].name, input_counts(p), "every input counts: no sample changes the result");
   }
 
   Lines lines() const { return lines_; }
@@ -173,6 +180,27 @@ class Subject {
     }
   }
 
+  // Calls it for the first time, and sees what it opens.
+  void look_at_files() {
+    std::set<std::string> given;
+    for (std::size_t p = 0; p < inputs_[0].size(); ++p) {
+      if (node_.info.inputs[p].type != "file") continue;
+      std::vector<AnyValue> values = inputs_[0][p].elements;
+      values.push_back(inputs_[0][p].value);
+      for (const AnyValue& value : values) {
+        if (!value) continue;
+        const auto& file = *static_cast<const engine::File*>(value.get());
+        given.insert(file.path());
+        for (const auto& entry : file.entries()) given.insert(entry.path);
+      }
+    }
+    const OpenedFiles opened;
+    base_ = call(inputs_[0], params_);
+    for (const std::string& path : opened.paths())
+      if (!given.count(path) && path.find("/facegraph-test-") == std::string::npos)
+        tell("call", "only its inputs are read: it opened " + path);
+  }
+
   // A setting in which something is looked at: some parameters and inputs count only in one mode.
   struct Setting {
     PortValues inputs;
@@ -197,9 +225,14 @@ class Subject {
     return all;
   }
 
-  void look_at_param(std::size_t p) {
+  void judge(const std::string& kind, const std::string& name, bool counts, const std::string& rule) {
+    const bool listed = shown_elsewhere().count(node_.info.name + "." + name) > 0;
+    if (!counts && !listed) tell(kind + " " + name, rule);
+    if (counts && listed) tell(kind + " " + name, "it does count: strike it out of shown_elsewhere()");
+  }
+
+  bool param_counts(std::size_t p) {
     const ParamInfo& info = node_.info.params[p];
-    if (!info.inert.empty()) return;
     const std::string text = engine::to_text(params_[p]);
     for (const Setting& setting : settings(p)) {
       const Outcome plain =
@@ -207,33 +240,32 @@ class Subject {
       for (const ParamValue& other : other_values(node_.info, info, params_[p])) {
         if (engine::to_text(other) == text) {
           tell("parameter " + info.name, "key changes: another value has the same text, " + text);
-          return;
+          return true;
         }
         Params changed = setting.params;
         changed[p] = other;
-        if (!(call(setting.inputs, changed) == plain)) return;
+        if (!(call(setting.inputs, changed) == plain)) return true;
       }
     }
-    tell("parameter " + info.name,
-         "every parameter counts: no value changes the result, and it is not declared inert{\"why\"}");
+    return false;
   }
 
-  void look_at_input(std::size_t p) {
+  bool input_counts(std::size_t p) {
     for (const Setting& setting : settings(params_.size())) {
       if (setting.inputs[p].absent) continue;
       const Outcome plain = call(setting.inputs, setting.params);
       for (int v = 1; v < variants; ++v) {
         Setting changed = setting;
         changed.inputs[p] = inputs_[static_cast<std::size_t>(v)][p];
-        if (!(call(changed.inputs, changed.params) == plain)) return;
+        if (!(call(changed.inputs, changed.params) == plain)) return true;
       }
       if (node_.info.inputs[p].optional) {
         Setting changed = setting;
         changed.inputs[p].absent = true;
-        if (!(call(changed.inputs, changed.params) == plain)) return;
+        if (!(call(changed.inputs, changed.params) == plain)) return true;
       }
     }
-    tell("input " + node_.info.inputs[p].name, "every input counts: no sample changes the result");
+    return false;
   }
 
   static bool any_absent(const PortValues& inputs) {

@@ -105,6 +105,13 @@ Outcome call_node(const engine::NodeDeclaration& node, const PortValues& inputs,
           outcome.outputs.push_back(digest_of_value(*node.output_types[o], value));
         prior.push_back(call.values[o].empty() ? nullptr : call.values[o][0]);
       }
+      // A file in the scratch folder goes with the call.
+      for (std::size_t o = 0; o < call.values.size(); ++o)
+        if (node.output_types[o]->name == "file")
+          for (AnyValue& value : call.values[o]) {
+            const auto& file = *static_cast<const engine::File*>(value.get());
+            value = std::make_shared<const engine::File>(engine::File::from_bytes(content_of(file), file.suffix()));
+          }
       outcome.values = std::move(call.values);
     }
   } catch (const std::exception& error) {

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/conformance/node_samples.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
 
 #include "engine/port.h"
+#include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
+#include "nodes/types/timeline.h"
+#include "nodes/types/weights.h"
 #include "tests/support/samples.h"
+#include "tests/support/toy_run.h"
 
 namespace conformance {
 namespace fs = std::filesystem;
 namespace {
 
 // A port's own sample, by "node.port".
+using face::Matrix;
 using Maker = std::function<AnyValue(engine::Plugins&, int variant)>;
 
 template <class T>
@@ -86,6 +94,62 @@ AnyValue wav(int variant) {
   return test::sample_file("tone" + std::to_string(variant) + ".wav", bytes);
 }
 
+Matrix matrix(std::size_t rows, std::size_t columns, int variant) {
+  Matrix made{rows, columns, {}};
+  for (std::size_t i = 0; i < rows * columns; ++i)
+    made.values.push_back(1.5 + std::sin(1.7 * static_cast<double>(i) + 0.1 * variant));
+  return made;
+}
+Maker matrices(std::size_t rows, std::size_t columns) {
+  return [=](engine::Plugins&, int variant) { return held(matrix(rows, columns, variant)); };
+}
+
+// A tetrahedron's, of which the variants leave out another one.
+AnyValue faces(engine::Plugins&, int variant) {
+  const std::vector<double> all = {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0, 0, 1, 3};
+  const auto from = static_cast<std::ptrdiff_t>(variant == 0 ? 0 : 3);
+  return held(Matrix{4, 3, {all.begin() + from, all.begin() + from + 12}});
+}
+
+// Weights of as many example meshes as a sequence of samples has.
+AnyValue few_weights(engine::Plugins&, int variant) {
+  const float more = 0.1f * static_cast<float>(variant);
+  return held(face::Weights{{0.1f + more, 0.3f, 0.2f, 0.1f}});
+}
+
+// The 68 points by number, where a picture of 64 x 48 pixels would show them.
+AnyValue face_points(engine::Plugins&, int variant) {
+  face::Landmarks landmarks;
+  for (int i = 0; i < 68; ++i) {
+    const double angle = M_PI * std::min(i, 16) / 16;
+    const bool jaw = i < 17;
+    const double x = jaw ? -13 * std::cos(angle) : -9 + 18.0 * (i % 6) / 5;
+    const double y = jaw ? 18 * std::sin(angle) - 4 : -12 + 26.0 * (i - 17) / 50;
+    landmarks.points.push_back({std::to_string(i), 32 + x + 0.3 * variant, 24 + y, true});
+  }
+  return held(landmarks);
+}
+
+// Four frames that are seconds apart: a face blinks now and then.
+AnyValue slow_timeline(engine::Plugins&, int variant) {
+  face::Timeline timeline;
+  const double step = 1.7 + 0.3 * variant;
+  for (int f = 0; f < 4; ++f) timeline.time_s.push_back(step * f);
+  timeline.duration_s = 4 * step;
+  return held(timeline);
+}
+
+// The shipped table; in its variants another first target.
+AnyValue viseme_table(engine::Plugins&, int variant) {
+  std::string text = test::read_file(FACEGRAPH_SOURCE_DIR "/graphs/speech/visemes.json");
+  const std::size_t digit = text.find("0.", text.find("\"weights\"")) + 2;
+  if (variant > 0) text[digit] = static_cast<char>('1' + variant);
+  return test::sample_file("visemes" + std::to_string(variant) + ".json", text);
+}
+
+// A projector stands beside its camera.
+AnyValue projector(engine::Plugins&, int variant) { return test::sample("camera", 12 + variant); }
+
 const std::map<std::string, Maker>& makers() {
   const std::string pocketsphinx = "/usr/share/pocketsphinx/model/en-us/";
   static const std::map<std::string, Maker> all = {
@@ -105,7 +169,25 @@ const std::map<std::string, Maker>& makers() {
       {"speech.align.dictionary", installed(pocketsphinx + "cmudict-en-us.dict")},
       {"speech.align.phone_model", installed(pocketsphinx + "en-us-phone.lm.bin")},
       {"speech.align.audio", made_by("speech.say", "audio")},
-      {"trajectory.read_visemes.file", installed(FACEGRAPH_SOURCE_DIR "/graphs/speech/visemes.json")},
+      {"trajectory.read_visemes.file", viseme_table},
+      {"trajectory.add_idle.timeline", slow_timeline},
+      {"trajectory.gaussian_path.variances", matrices(6, 4)},
+      {"meshik.reconstruct.weights", few_weights},
+      {"meshik.solve.start", few_weights},
+      {"meshik.reconstruct_matrix.reference", matrices(4, 3)},
+      {"meshik.reconstruct_matrix.examples", matrices(4, 12)},
+      {"meshik.reconstruct_matrix.faces", faces},
+      {"weights.nnls.targets", matrices(3, 6)},
+      {"weights.nnls.neutral", matrices(1, 6)},
+      {"weights.least_squares.targets", matrices(3, 6)},
+      {"weights.least_squares.neutral", matrices(1, 6)},
+      {"model.fit_landmarks.landmarks", face_points},
+      {"model.fit_image.landmarks", face_points},
+      {"model.fit_images.landmarks", face_points},
+      {"phantom.scan_frame.projector", projector},
+      {"phantom.lose_points.projector", projector},
+      {"phantom.read_configurations.file",
+       text_file(".json", {R"({"open": {"jawOpen": 0.5}})", R"({"open": {"jawOpen": 0.7}})"})},
   };
   return all;
 }
@@ -128,11 +210,37 @@ AnyValue one_sample(engine::Plugins& plugins, const std::string& node, const eng
 
 }  // namespace
 
+const std::map<std::string, std::string>& shown_elsewhere() {
+  static const std::string one_installed = "Debian has one of it; tests/nodes/speech names what it takes";
+  static const std::string no_such_part =
+      "the sample's head has no part of that name; the embedded head has, in tests/nodes/phantom";
+  static const std::string nothing_lost = "no point is lost in four smooth pictures; tests/nodes/track loses some";
+  static const std::map<std::string, std::string> all = {
+      {"speech.align.acoustic_model", one_installed},
+      {"speech.align.dictionary", one_installed},
+      {"phantom.laser_scan.bathing_cap", no_such_part},
+      {"phantom.laser_scan.missing_hair", no_such_part},
+      {"phantom.make_person.skin", no_such_part},
+      {"phantom.make_person.beard", no_such_part},
+      {"phantom.make_person.moles", no_such_part},
+      {"phantom.make_person.painted", no_such_part},
+      {"phantom.make_person.lipstick", no_such_part},
+      {"phantom.make_person.marker_radius_mm", no_such_part},
+      {"track.klt.max_return_error_px", nothing_lost},
+      {"track.klt.max_offset_px", nothing_lost},
+      {"track.klt.min_likeness", nothing_lost},
+      {"track.klt.rigid", nothing_lost},
+      {"track.klt.search_px", nothing_lost},
+  };
+  return all;
+}
+
 const std::map<std::string, std::string>& nodes_without_sample() {
   static const std::map<std::string, std::string> nodes = {
       {"toy.unsteady", "it is the bad example that `facegraph cache audit` finds in tests"},
       {"toy.slow_read", "it only waits while it reads, for tests of files that change"},
       {"toy.sleep", "it only waits"},
+      {"decode.identity_modes", "it reads an ICT-FaceKit folder; tests/nodes/decode reads the real one"},
   };
   return nodes;
 }
@@ -145,6 +253,10 @@ Params sample_params(const engine::NodeInfo& info) {
       {"toy.fail.when", std::string("nothing of the kind")},
       {"toy.contains.part", std::string("Bob")},
       {"toy.count_up.count", std::int64_t{5}},
+      {"render.contact_sheet.pictures", std::int64_t{2}},
+      {"render.contact_sheet.columns", std::int64_t{2}},
+      {"phantom.video_frame.width_px", std::int64_t{64}},
+      {"phantom.video_frame.height_px", std::int64_t{48}},
   };
   Params params = defaults_of(info);
   for (std::size_t i = 0; i < params.size(); ++i)

@@ -13,6 +13,10 @@ namespace conformance {
 // Nodes that are not called, with the reason. A new node is not added here: it gets samples.
 const std::map<std::string, std::string>& nodes_without_sample();
 
+// Parameters and inputs, as "node.name", that count only where the samples do not lead, with the reason. The suite
+// fails when one of them does count: then it goes from here.
+const std::map<std::string, std::string>& shown_elsewhere();
+
 // Parameters that samples need set, as they are too small, or too large, for the defaults.
 Params sample_params(const engine::NodeInfo& info);
 

@@ -189,7 +189,7 @@ Landmarks make_landmarks(int variant) {
 
 Audio make_audio(int variant) {
   Audio audio;
-  for (int i = 0; i < 8000; ++i)
+  for (int i = 0; i < 16000; ++i)
     audio.samples.push_back(0.3f * wave(2 * M_PI * (140 + 20 * variant) * i / audio.rate_hz) *
                             (0.6f + 0.4f * wave(0.002 * i)));
   return audio;
@@ -198,7 +198,7 @@ Audio make_audio(int variant) {
 Phones make_phones(int variant) {
   Phones phones;
   const std::vector<std::pair<std::string, std::string>> spoken = {
-      {"SIL", ""}, {"M", "map"}, {"AE1", "map"}, {"P", "map"}, {"F", "fee"}, {"IY1", "fee"}, {"SIL", ""}};
+      {"SIL", ""}, {"M", "map"}, {"AE", "map"}, {"P", "map"}, {"F", "fee"}, {"IY", "fee"}, {"SIL", ""}};
   double at = 0;
   for (std::size_t i = 0; i < spoken.size(); ++i) {
     const double length = 0.08 + 0.02 * static_cast<double>((i + static_cast<std::size_t>(variant)) % 3);
