@@ -12,6 +12,7 @@ namespace cli {
 struct RunArguments {
   GraphArguments graph;
   std::string out;
+  std::string out_name;  // of the graph's only output, instead of its own; empty = its own
   std::string to;
   std::vector<std::string> elements;
   int threads = 0;
@@ -72,6 +73,21 @@ struct CacheArguments {
   std::uint64_t seed = 1;     // audit
 };
 int cache(const Common& common, const CacheArguments& arguments);
+
+// Commands that plugins ship as data: graphs in a folder `commands` beside the libraries, NAME.json run by `facegraph NAME`
+// with the graph's parameters as options.
+struct PluginCommand {
+  std::string name;
+  std::string path;  // of the graph
+  std::string doc;   // what the graph says it is for
+};
+// All of them, by name. Of two with one name that of the earlier folder counts.
+std::vector<PluginCommand> plugin_commands(const Common& common);
+// What --help says of them; empty where there are none.
+std::string plugin_commands_help(const Common& common);
+// Runs the command that the words of a command line name, if any; `words` without the program's name. Returns false
+// where they name none.
+bool run_plugin_command(std::vector<std::string> words, int& exit_code);
 
 // "500MB" -> bytes (decimal units). Throws std::invalid_argument.
 std::int64_t parse_size(const std::string& text);

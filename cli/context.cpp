@@ -9,7 +9,7 @@
 namespace cli {
 namespace fs = std::filesystem;
 
-std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
+std::vector<std::string> plugin_folders(const Common& common) {
   std::vector<std::string> folders = common.plugin_folders;
   for (const std::string& folder : folders)
     if (!fs::is_directory(folder))
@@ -23,7 +23,11 @@ std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   folders.push_back((self.parent_path().parent_path() / "lib" / "facegraph" / "plugins").string());
-  auto plugins = std::make_unique<engine::Plugins>(std::move(folders));
+  return folders;
+}
+
+std::unique_ptr<engine::Plugins> open_plugins(const Common& common) {
+  auto plugins = std::make_unique<engine::Plugins>(plugin_folders(common));
   for (const engine::Problem& problem : plugins->problems())
     std::fprintf(stderr, "warning: plugin %s cannot be used: %s\n", problem.place.file.c_str(), problem.text.c_str());
   return plugins;
@@ -44,7 +48,8 @@ std::shared_ptr<engine::Store> open_store(const Common& common) {
   return engine::Store::open(fs::absolute(folder).string());
 }
 
-bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins, engine::Graph& graph) {
+engine::GraphReading read_graph(const std::string& path, const std::vector<engine::Setting>& settings,
+                                const engine::Plugins& plugins) {
   engine::GraphContext context;
   context.find_node = [&](std::string_view name) { return plugins.find(name); };
   context.node_names = [&] { return plugins.node_names(); };
@@ -54,6 +59,10 @@ bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins,
         return "its plugin cannot be used: " + problem.text;
     return {};
   };
+  return engine::read_graph(path, settings, fs::current_path().string(), context);
+}
+
+bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins, engine::Graph& graph) {
   std::vector<engine::Setting> settings;
   for (const std::string& set : arguments.sets) {
     const std::size_t equals = set.find('=');
@@ -63,7 +72,7 @@ bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins,
     }
     settings.push_back({set.substr(0, equals), set.substr(equals + 1)});
   }
-  engine::GraphReading reading = engine::read_graph(arguments.path, settings, fs::current_path().string(), context);
+  engine::GraphReading reading = read_graph(arguments.path, settings, plugins);
   for (const engine::Problem& problem : reading.problems) std::fprintf(stderr, "%s\n", problem.line().c_str());
   if (!reading.problems.empty()) {
     std::fprintf(stderr, "%zu problem%s; nothing was run\n", reading.problems.size(),

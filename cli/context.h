@@ -24,8 +24,14 @@ struct GraphArguments {
   std::vector<std::string> sets;  // NAME=VALUE
 };
 
+// Where plugins are looked for, in order: --plugins, FACEGRAPH_PLUGINS, the installed ones.
+std::vector<std::string> plugin_folders(const Common& common);
 std::unique_ptr<engine::Plugins> open_plugins(const Common& common);
 std::shared_ptr<engine::Store> open_store(const Common& common);
+
+// Reads a graph with settings, against these plugins.
+engine::GraphReading read_graph(const std::string& path, const std::vector<engine::Setting>& settings,
+                                const engine::Plugins& plugins);
 
 // Reads the graph; prints every problem and returns false where there are any.
 bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins, engine::Graph& graph);

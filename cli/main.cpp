@@ -38,6 +38,7 @@ int main(int count, char** words) {
   app.add_option("--store", common.store, "Where results are kept (default: FACEGRAPH_STORE, else the user's cache)")
       ->type_name("FOLDER");
   app.fallthrough();
+  app.footer([&] { return cli::plugin_commands_help(common); });
 
   cli::RunArguments run;
   CLI::App* run_command = app.add_subcommand("run", "Run a graph and publish its outputs");
@@ -114,6 +115,13 @@ int main(int count, char** words) {
   cache_audit->add_option("--seed", cache.seed, "Another seed, other tasks (default 1)");
 
   try {
+    int code = 0;
+    if (cli::run_plugin_command({words + 1, words + count}, code)) return code;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return cli::invalid;
+  }
+  try {
     app.parse(count, words);
   } catch (const CLI::RequiredError& error) {
     const std::vector<std::string> rest = app.remaining();
@@ -123,6 +131,7 @@ int main(int count, char** words) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
       names.push_back(command->get_name());
+    for (const cli::PluginCommand& command : cli::plugin_commands(common)) names.push_back(command.name);
     std::fprintf(stderr, "command line: there is no command '%s'%s\nRun with --help for more information.\n",
                  word->c_str(), engine::did_you_mean(*word, names).c_str());
     return cli::invalid;

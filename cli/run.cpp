@@ -30,6 +30,7 @@ int run(const Common& common, const RunArguments& arguments) {
   const auto plugins = open_plugins(common);
   engine::Graph graph;
   if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
+  if (!arguments.out_name.empty()) graph.outputs.at(0).name = arguments.out_name;
   if (!arguments.elements.empty() && arguments.to.empty()) {
     std::fprintf(stderr, "command line: --elements goes with --to NODE\n");
     return invalid;

@@ -105,6 +105,17 @@ function(plugin name)
     target_sources(plugin_${name} PRIVATE $<TARGET_OBJECTS:face_${area}_nodes>)
     target_link_libraries(plugin_${name} PRIVATE face_${area})
   endforeach()
+  # Graphs that are commands: nodes/AREA/commands/NAME.json is run by `facegraph NAME`.
+  foreach(folder IN LISTS arg_AREAS)
+    file(GLOB commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/nodes/${folder}/commands/*.json)
+    foreach(command IN LISTS commands)
+      get_filename_component(file ${command} NAME)
+      add_custom_command(OUTPUT ${FACEGRAPH_PLUGIN_DIR}/commands/${file}
+        COMMAND ${CMAKE_COMMAND} -E copy ${command} ${FACEGRAPH_PLUGIN_DIR}/commands/${file} DEPENDS ${command} VERBATIM)
+      target_sources(plugin_${name} PRIVATE ${FACEGRAPH_PLUGIN_DIR}/commands/${file})
+      install(FILES ${command} DESTINATION lib/facegraph/plugins/commands)
+    endforeach()
+  endforeach()
   # The list after the library, so that it is not the older one.
   install(TARGETS plugin_${name} LIBRARY DESTINATION lib/facegraph/plugins)
   install(FILES ${FACEGRAPH_PLUGIN_DIR}/${name}.nodes.json DESTINATION lib/facegraph/plugins)

@@ -267,6 +267,21 @@ TEST_F(TrackJob, AClipWithoutSoundIsTracked) {
   EXPECT_NE(read("out/report.txt").find(" points, 0 of them lost"), std::string::npos) << read("out/report.txt");
 }
 
+TEST_F(TrackJob, AnnotateMakesAPageOfAClip) {
+  write("line.txt", "Good morning.");
+  ASSERT_EQ(command({"run", talk(), "--set", "text=line.txt", "--set", "pictures.width_px=160", "--set",
+                     "pictures.height_px=160", "--out", "clip", "--set", "sheet.picture_px=64"})
+                .code,
+            0);
+  const Ended made =
+      command({"annotate", "--clip", "clip/talk.mp4", "--points", "lips18", "--max-frames", "5", "--out", "page.html"});
+  EXPECT_EQ(made.code, 0) << made.output;
+  EXPECT_EQ(read("page.html").substr(0, 15), "<!DOCTYPE html>");
+  write("points.json", R"({"image_size": [160, 160], "points": {"mouth": [80, 104], "nose_tip": [80, 84]}})");
+  EXPECT_EQ(command({"annotate", "--clip", "clip/talk.mp4", "--start", "points.json", "--out", "again.html"}).code, 0);
+  EXPECT_NE(read("again.html").find("\"nose_tip\":[80.0,84.0,1]"), std::string::npos);
+}
+
 TEST_F(TrackJob, CorrectionOfAGridClipRerunsFromItsFrameOn) {
   DATA_FILE(video, "grid/bbaf2n.mpg");
   DATA_FILE(points, "grid/bbaf2n.landmarks.json");
