@@ -69,10 +69,10 @@ Liveliness::Liveliness(const Phones& phones, double end_s, std::int64_t seed, co
     if (accent.uniform() < 0.55) nods_.push_back({t + 0.05, accent.uniform(0.5, 1)});
   }
   // Pitch, yaw, roll in degrees, then x, y, z in mm.
-  constexpr std::array<double, 6> kSize = {1.8, 3.2, 1.3, 2.5, 1.2, 2.5};
+  constexpr std::array<double, 6> kSize = {1.6, 2.5, 1.1, 2.2, 1.0, 2.2};
   for (std::size_t axis = 0; axis < sway_.size(); ++axis)
     for (Wave& wave : sway_[axis]) {
-      const double per_s = std::exp(body.uniform(std::log(0.06), std::log(0.55)));
+      const double per_s = std::exp(body.uniform(std::log(0.09), std::log(0.6)));
       // Slow sway is wide, quick sway small.
       wave = {2 * std::numbers::pi * per_s, body.uniform(0, 2 * std::numbers::pi),
               kSize[axis] * std::min(1.0, 0.15 / per_s)};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
 
 #include "nodes/base/check.h"
@@ -137,12 +138,31 @@ void check_options(const PerformOptions& options) {
   check_amount("head_motion", options.head_motion);
 }
 
+// Events are drawn second by second: no performance is longer than eleven days.
+void check_time(double time_s, const std::string& what) {
+  constexpr double kLongest_s = 1e6;
+  check(std::abs(time_s) <= kLongest_s, what, " is at ", time_s, " s, expected a time within 1000000 s");
+}
+
+void check_times(const Phones& phones, const Timeline* timeline) {
+  for (std::size_t k = 0; k < phones.phones.size(); ++k) {
+    check_time(phones.phones[k].start_s, message("the start of phones element ", k));
+    check_time(phones.phones[k].end_s, message("the end of phones element ", k));
+  }
+  check_time(phones.duration_s, "the end of phones");
+  if (!timeline) return;
+  for (std::size_t f = 0; f < timeline->time_s.size(); ++f)
+    check_time(timeline->time_s[f], message("timeline frame ", f));
+  check_time(timeline->duration_s, "the end of timeline");
+}
+
 }  // namespace
 
 PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig* rig,
                       engine::SeqWriter<Weights>& weights, engine::SeqWriter<RigidMotion>& world_from_head,
                       const PerformOptions& options) {
   check_options(options);
+  check_times(phones, timeline);
   PerformResult result;
   result.timeline = timeline ? *timeline : make_timeline(phones.duration_s, options.rate_hz);
   const SpeakerStyle style = speaker_style(options.seed, options.style);

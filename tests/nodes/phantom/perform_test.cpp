@@ -286,6 +286,17 @@ TEST(Perform, HasNoFramesOfNothing) {
   EXPECT_EQ(act(Phones(), {}, nullptr, &timeline).weights.size(), 1u);
 }
 
+TEST(Perform, RejectsTimesWithoutEnd) {
+  Timeline timeline;
+  timeline.time_s = {0, INFINITY};
+  timeline.duration_s = INFINITY;
+  EXPECT_THROW_TEXT(act(sentence(), {}, nullptr, &timeline),
+                    "timeline frame 1 is at inf s, expected a time within 1000000 s");
+  Phones phones = sentence();
+  phones.duration_s = NAN;
+  EXPECT_THROW_TEXT(act(phones, {}), "the end of phones is at nan s, expected a time within 1000000 s");
+}
+
 TEST(Perform, RejectsWhatItCannotSay) {
   EXPECT_THROW_TEXT(act(say({{"SIL", 100}, {"AA1", 100}}), {}),
                     "phone 1 is \"AA1\", expected an ARPAbet label without stress or SIL");
