@@ -92,24 +92,34 @@ double Articulator::contact(const std::vector<Hold>& holds, double time_s) const
 Articulation Articulator::at(double time_s) const {
   Articulation mouth;
   if (segments_.empty()) return mouth;
-  // Far from every segment all dominances vanish: they are taken relative to the nearest one.
+  const auto fall_of = [&](const Segment& segment) {
+    const double from_s = time_s - segment.middle_s;
+    const double beyond_s = std::max(0.0, std::abs(from_s) - segment.plateau_s);
+    return std::pow(beyond_s / (from_s < 0 ? style_.reach_s : style_.carry_s), kExponent);
+  };
+  // Segments follow one another, so dominances only fall on the way from the nearest middle to both sides.
+  const auto after = std::lower_bound(segments_.begin(), segments_.end(), time_s,
+                                      [](const Segment& segment, double t) { return segment.middle_s < t; });
+  const auto middle = static_cast<std::size_t>(after - segments_.begin());
   double nearest = 1e300;
-  std::vector<double> fall(segments_.size());
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const double from_s = time_s - segments_[k].middle_s;
-    const double beyond_s = std::max(0.0, std::abs(from_s) - segments_[k].plateau_s);
-    fall[k] = std::pow(beyond_s / (from_s < 0 ? style_.reach_s : style_.carry_s), kExponent);
-    nearest = std::min(nearest, fall[k]);
-  }
+  if (middle < segments_.size()) nearest = fall_of(segments_[middle]);
+  if (middle > 0) nearest = std::min(nearest, fall_of(segments_[middle - 1]));
   Gestures sum = {}, weights = {};
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const double near = std::exp(nearest - fall[k]);
+  // False where a segment no longer counts: far from all, dominances are taken relative to the nearest one.
+  const auto add = [&](const Segment& segment) {
+    constexpr double kNothing = 40;  // exp(-40) is lost in rounding
+    const double fall = fall_of(segment);
+    if (fall > nearest + kNothing) return false;
+    const double near = std::exp(nearest - fall);
     for (std::size_t g = 0; g < kGestureCount; ++g) {
-      const double dominance = segments_[k].dominance[g] * near;  // alpha exp(-theta |tau|^c)
-      sum[g] += dominance * segments_[k].target[g];
+      const double dominance = segment.dominance[g] * near;  // alpha exp(-theta |tau|^c)
+      sum[g] += dominance * segment.target[g];
       weights[g] += dominance;
     }
-  }
+    return true;
+  };
+  for (std::size_t k = middle; k > 0 && add(segments_[k - 1]);) --k;
+  for (std::size_t k = middle; k < segments_.size() && add(segments_[k]);) ++k;
   for (std::size_t g = 0; g < kGestureCount; ++g)
     mouth.gestures[g] = sum[g] / weights[g] * (g == kJaw ? style_.jaw : g == kTongue ? 1 : style_.lips);
   mouth.lips_shut = contact(closures_, time_s);
