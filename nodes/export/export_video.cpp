@@ -48,8 +48,8 @@ engine::File export_video(const engine::Seq<Image>& frames, const Timeline& time
   if (!folder.empty()) settings.path = folder + "/video.mp4";
   std::vector<float> sound;
   if (audio != nullptr && !audio->samples.empty()) {
-    check(audio->rate_hz > 0 && audio->rate_hz == std::floor(audio->rate_hz), "the sound has ", audio->rate_hz,
-          " samples per second, expected a whole number above 0");
+    check(std::isfinite(audio->rate_hz) && audio->rate_hz > 0 && audio->rate_hz == std::floor(audio->rate_hz),
+          "the sound has ", audio->rate_hz, " samples per second, expected a whole number above 0");
     settings.audio_rate_hz = static_cast<int>(audio->rate_hz);
     sound = fitted(*audio, timeline.duration_s);
     if (std::abs(audio->duration_s() - timeline.duration_s) > 1.0 / settings.mean_rate_hz)

@@ -248,6 +248,8 @@ Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOption
   const Mesh& neutral = rig.neutral;
   check(neutral.colors_srgb.empty() || neutral.colors_srgb.size() == neutral.points_mm.size(), "the rig has ",
         neutral.colors_srgb.size(), " vertex colours, but ", neutral.points_mm.size(), " vertices");
+  for (std::size_t i = 0; i < weights.values.size(); ++i)
+    check(std::isfinite(weights.values[i]), "weight ", i, " is ", weights.values[i], ", expected a finite number");
   const SrgbTable srgb;
   const Camera camera = supersampled(head_camera(rig, options), options.samples);
   Scene scene = make_scene(rig, weights, camera, srgb);

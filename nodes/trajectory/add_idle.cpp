@@ -83,6 +83,7 @@ void add_idle(const engine::Seq<Weights>& weights, const Timeline& timeline, eng
         timeline.time_s.size(), " in the timeline");
   check(options.blink_least_s > 0 && options.blink_most_s >= options.blink_least_s, "blinks are to come every ",
         options.blink_least_s, " to ", options.blink_most_s, " s, expected more than 0 and the larger last");
+  check(std::isfinite(timeline.duration_s), "the timeline lasts ", timeline.duration_s, " s, expected a finite time");
   const std::vector<double> blinks = blink_starts(options, timeline.duration_s);
   const std::vector<Gaze> gazes = gaze_changes(options, timeline.duration_s);
   for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -9,6 +9,9 @@
 namespace face::trajectory {
 
 Matrix gaussian_path(const Matrix& means, const Matrix& variances, const GaussianPathOptions& options) {
+  for (const Matrix* matrix : {&means, &variances})
+    check(matrix->values.size() == matrix->rows * matrix->columns, matrix == &means ? "means" : "variances", " has ",
+          matrix->values.size(), " values, expected ", matrix->rows, " x ", matrix->columns);
   check(means.rows == variances.rows && means.columns == variances.columns, "means is ", means.rows, " x ",
         means.columns, ", variances is ", variances.rows, " x ", variances.columns, ", expected the same shape");
   TrajectoryTargets targets{means.rows, means.columns, variances.values, means.values};
