@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "engine/port.h"
+#include "nodes/types/depth_scan.h"
+#include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
+
+namespace face::align {
+
+struct TrackMarkersOptions {
+  std::int64_t template_px = 10;
+  std::int64_t search_px = 20;
+  double least_likeness = 0.6;
+};
+
+struct TrackMarkersResult {
+  Landmarks markers;
+  Image templates;     // grey: the start markers' squares side by side, as they were taken
+  std::string report;  // names of markers that are lost in this frame, separated by spaces; empty where none is
+};
+
+// Follows markers through a take by template matching (Bargmann, Blanz and Seidel, section 3.1): squares of 10 x 10
+// pixels about the start points are found again in a neighbourhood of 20 x 20 pixels about the place in the frame
+// before, where the sum of squared differences is least. The search is over whole pixels in integers, exact; the place
+// between pixels is found by Gauss-Newton steps on the same sum, freed of gain and offset of light. A marker whose
+// template is unlike what is found (zero-mean normalised correlation below least_likeness), or that leaves the picture,
+// is lost: not valid, at its last good place, and looked for there in twice the neighbourhood.
+// Differs from the paper: templates stay those of the first frame, so that errors do not add up.
+// start: the points on the first frame of the take. correction: points put right on this frame, by name; the template
+// is taken anew there. before: this node's result of the frame before.
+TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
+                                 const engine::Prior<TrackMarkersResult>& before,
+                                 const TrackMarkersOptions& options = {});
+
+}  // namespace face::align

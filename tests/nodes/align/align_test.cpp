@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nodes/align/choose_reference.h"
+#include "nodes/align/crop.h"
+#include "nodes/align/find_markers.h"
+#include "nodes/align/fit_axis.h"
+#include "nodes/align/orient.h"
+#include "nodes/align/track_markers.h"
+#include "tests/support/expect_throw_text.h"
+#include "tests/support/phantom_stream.h"
+
+namespace {
+
+using namespace face;
+using namespace face::align;
+
+const test::PhantomStream& stream() {
+  static const test::PhantomStream made;
+  return made;
+}
+
+RigidMotion motion_of(double yaw, double pitch, double x, double y, double z) {
+  RigidMotion m;
+  const double cy = std::cos(yaw), sy = std::sin(yaw), cp = std::cos(pitch), sp = std::sin(pitch);
+  m.rotation = {cy, sy * sp, sy * cp, 0, cp, -sp, -sy, cy * sp, cy * cp};
+  m.translation_mm = {x, y, z};
+  return m;
+}
+
+// A head that sways and speaks for a moment.
+std::vector<test::PhantomStream::Frame> take(int frames) {
+  std::vector<test::PhantomStream::Frame> out;
+  for (int t = 0; t < frames; ++t) {
+    const float open = 0.25f * (1 - std::cos(0.35f * static_cast<float>(t)));
+    out.push_back(stream().frame(stream().weights({{"jawOpen", open}, {"mouthSmileLeft", 0.3f * open}}),
+                                 motion_of(0.05 * std::sin(0.2 * t), 0.03 * std::sin(0.13 * t), 2 * std::sin(0.17 * t),
+                                           1.5 * std::sin(0.11 * t), 0),
+                                 std::to_string(t)));
+  }
+  return out;
+}
+
+// The markers that find_markers sees well (not those at the edge of the scan), at their true places.
+Landmarks true_start(const test::PhantomStream::Frame& frame) {
+  const Landmarks found = find_markers(engine::Seq<DepthScan>({frame.scan}));
+  Landmarks out;
+  for (const Landmark& p : stream().marker_truth(frame).points)
+    for (const Landmark& f : found.points)
+      if (std::hypot(p.x_px - f.x_px, p.y_px - f.y_px) < 0.3) {
+        out.points.push_back(p);
+        break;
+      }
+  return out;
+}
+
+}  // namespace
+
+TEST(TrackMarkers, FollowsMarkersToTwentiethsOfAPixelAndLosesNone) {
+  const auto frames = take(20);
+  const Landmarks start = true_start(frames[0]);
+  ASSERT_GE(start.points.size(), 35u);
+  engine::Prior<TrackMarkersResult> before;
+  double square = 0, count = 0;
+  for (const auto& frame : frames) {
+    const TrackMarkersResult result = track_markers(frame.scan, start, nullptr, before);
+    EXPECT_EQ(result.report, "");
+    std::map<std::string, Landmark> truth;
+    for (const Landmark& p : stream().marker_truth(frame).points) truth[p.name] = p;
+    for (const Landmark& p : result.markers.points) {
+      square += std::pow(p.x_px - truth[p.name].x_px, 2) + std::pow(p.y_px - truth[p.name].y_px, 2);
+      ++count;
+    }
+    before = engine::Prior<TrackMarkersResult>(std::make_shared<const TrackMarkersResult>(result));
+  }
+  EXPECT_LE(std::sqrt(square / count), 0.15);
+}
+
+TEST(TrackMarkers, NamesAMarkerThatLeavesThePictureAndKeepsTheRest) {
+  const auto frame = stream().frame(stream().weights({}));
+  Landmarks start = true_start(frame);
+  start.points.resize(6);
+  start.points.push_back({"at_the_edge", 5, 240, true});
+  const TrackMarkersResult first = track_markers(frame.scan, start, nullptr, {});
+  DepthScan shifted = frame.scan;
+  for (int y = 0; y < 480; ++y)
+    for (int x = 0; x < 640; ++x)
+      shifted.picture.pixels[static_cast<std::size_t>(y * 640 + x)] =
+          x + 6 < 640 ? frame.scan.picture.pixels[static_cast<std::size_t>(y * 640 + x + 6)] : std::uint8_t{0};
+  const TrackMarkersResult result = track_markers(
+      shifted, start, nullptr, engine::Prior<TrackMarkersResult>(std::make_shared<const TrackMarkersResult>(first)));
+  EXPECT_EQ(result.report, "at_the_edge");
+  EXPECT_FALSE(result.markers.points[6].valid);
+  EXPECT_EQ(result.markers.points[6].x_px, 5);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(result.markers.points[i].x_px, start.points[i].x_px - 6, 0.02);
+}
+
+TEST(TrackMarkers, TakesACorrection) {
+  const auto frame = stream().frame(stream().weights({}));
+  const Landmarks start = true_start(frame);
+  const Landmarks right{{{start.points[2].name, start.points[2].x_px + 3, start.points[2].y_px - 2, true}}};
+  const TrackMarkersResult result = track_markers(frame.scan, start, &right, {});
+  EXPECT_EQ(result.markers.points[2].x_px, start.points[2].x_px + 3);
+  const Landmarks wrong{{{"nobody", 3, 3, true}}};
+  EXPECT_THROW_TEXT(track_markers(frame.scan, start, &wrong, {}),
+                    "a correction names the marker nobody, which start does not have");
+}
+
+TEST(TrackMarkers, RejectsAStartOutsideTheScan) {
+  const auto frame = stream().frame(stream().weights({}));
+  EXPECT_THROW_TEXT(track_markers(frame.scan, {{{"a", 700, 20, true}}}, nullptr, {}),
+                    "start marker a is at (700, 20), outside the scan of 640 x 480 pixels");
+}
+
+TEST(FindMarkers, FindsThePaintedDotsAndNothingElseOnTheSkin) {
+  const auto frame = stream().frame(stream().weights({}));
+  const Landmarks found = find_markers(engine::Seq<DepthScan>({frame.scan}));
+  EXPECT_GE(true_start(frame).points.size(),
+            40u);  // of 55, of which a dozen lies at the edge, in shadow or in a crease
+  for (const Landmark& f : found.points) {
+    double nearest = 1e9;
+    for (const Landmark& t : stream().marker_truth(frame).points)
+      nearest = std::min(nearest, std::hypot(t.x_px - f.x_px, t.y_px - f.y_px));
+    EXPECT_LE(nearest, 3) << f.name;
+  }
+}
+
+TEST(LinkMarkers, GivesTheReferencesNamesToAnotherTakesMarkers) {
+  const auto a = stream().frame(stream().weights({})),
+             b = stream().frame(stream().weights({{"jawOpen", 0.2f}}), motion_of(0.06, -0.04, 6, -4, 3));
+  const Landmarks reference = stream().marker_truth(a);
+  Landmarks other = find_markers(engine::Seq<DepthScan>({b.scan}));
+  const Landmarks linked = link_markers(other, reference);
+  std::map<std::string, Landmark> truth;
+  for (const Landmark& p : stream().marker_truth(b).points) truth[p.name] = p;
+  EXPECT_GE(linked.points.size(), 40u);
+  for (const Landmark& p : linked.points)
+    EXPECT_LE(std::hypot(p.x_px - truth[p.name].x_px, p.y_px - truth[p.name].y_px), 4) << p.name;
+}
+
+TEST(AbsoluteOrientation, RecoversAKnownMotion) {
+  const RigidMotion m = motion_of(0.3, -0.2, 5, 6, 7);
+  const std::vector<std::array<double, 3>> from = {{0, 0, 0}, {10, 0, 2}, {3, 8, -1}, {-4, 5, 6}};
+  std::vector<std::array<double, 3>> to;
+  for (const auto& p : from) {
+    std::array<double, 3> q{};
+    for (std::size_t r = 0; r < 3; ++r) {
+      q[r] = m.translation_mm[r];
+      for (std::size_t c = 0; c < 3; ++c) q[r] += m.rotation[r * 3 + c] * p[c];
+    }
+    to.push_back(q);
+  }
+  const AbsoluteOrientation found = absolute_orientation(from, to, {1, 2, 1, 0.5});
+  ASSERT_TRUE(found.solved);
+  EXPECT_LE(found.rms_mm, 1e-12);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found.to_from.rotation[i], m.rotation[i], 1e-12);
+}
+
+TEST(AbsoluteOrientation, ReportsPointsOnALineAsUnsolved) {
+  const std::vector<std::array<double, 3>> line = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}};
+  EXPECT_FALSE(absolute_orientation(line, line, {1, 1, 1, 1}).solved);
+  EXPECT_FALSE(absolute_orientation({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}, {1, 1}).solved);
+}
+
+TEST(Orient, BringsAScanBackEvenWithLostAndMistakenMarkers) {
+  const auto reference = stream().frame(stream().weights({{"jawOpen", 0.15f}}));
+  const RigidMotion motion = motion_of(0.08, 0.05, 4, -3, 6);
+  const auto frame = stream().frame(stream().weights({{"jawOpen", 0.5f}}), motion);
+  const Landmarks there = true_start(reference);
+  Landmarks here = true_start(frame);
+  here.points[0].valid = false;
+  here.points[5].x_px += 12;
+  here.points[9].y_px -= 9;
+  const OrientResult result = orient(frame.scan, here, reference.scan, there);
+  ASSERT_TRUE(result.solved);
+  EXPECT_LE(result.rms_mm, 0.3);
+  // A point of the forehead comes back to where it was.
+  for (const Vec3f& p : {Vec3f{0, 60, 90}, Vec3f{40, 30, 70}, Vec3f{-40, 0, 60}}) {
+    double worst = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      double moved[3] = {0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        moved[k] = motion.translation_mm[k];
+        for (std::size_t c = 0; c < 3; ++c) moved[k] += motion.rotation[k * 3 + c] * static_cast<double>(p[c]);
+      }
+      double back = result.reference_from_scan.translation_mm[r];
+      for (std::size_t c = 0; c < 3; ++c) back += result.reference_from_scan.rotation[r * 3 + c] * moved[c];
+      worst = std::max(worst, std::fabs(back - static_cast<double>(p[r])));
+    }
+    EXPECT_LE(worst, 0.4);
+  }
+}
+
+TEST(Orient, LeavesAScanWithTooFewMarkersWhereItIs) {
+  const auto frame = stream().frame(stream().weights({}));
+  const Landmarks two{{{"a", 300, 100, true}, {"b", 340, 110, true}}};
+  const OrientResult result = orient(frame.scan, two, frame.scan, two);
+  EXPECT_FALSE(result.solved);
+  EXPECT_EQ(result.aligned.camera.position_mm, frame.scan.camera.position_mm);
+}
+
+TEST(FitAxis, FindsTheAxisOfACylinder) {
+  // A cylinder of radius 70 about (12, ., 5), seen from z = 1000.
+  DepthScan scan;
+  scan.camera.position_mm = {0, 0, 1000};
+  scan.camera.focal_px = 1500;
+  scan.camera.centre_x_px = scan.camera.centre_y_px = 159.5f;
+  scan.picture = {320, 320, 1, std::vector<std::uint8_t>(320 * 320, 100)};
+  for (int y = 0; y < 320; ++y)
+    for (int x = 0; x < 320; ++x) {
+      // Ray (sx, ., -1) from the pinhole: |(sx t - 12, 995 - t)| = 70.
+      const double sx = (x - 159.5) / 1500, a = sx * sx + 1, b = -2 * (12 * sx + 995), c = 144 + 995.0 * 995 - 4900;
+      const double d = b * b - 4 * a * c;
+      scan.depth_mm.push_back(d > 0 ? static_cast<float>((-b - std::sqrt(d)) / (2 * a)) : 0.0f);
+    }
+  const FitAxisResult result = fit_axis(scan);
+  EXPECT_NEAR(result.axis.origin_mm[0], 12, 0.5);
+  EXPECT_NEAR(result.axis.origin_mm[2], 5, 3);
+  EXPECT_NEAR(result.mean_radius_mm, 70, 3);
+  EXPECT_GE(result.axis.direction[1], 0.999f);
+}
+
+TEST(Crop, KeepsWhatAllScansHave) {
+  const auto a = stream().frame(stream().weights({}));
+  DepthScan half = a.scan;
+  for (int y = 0; y < 480; ++y)
+    for (int x = 330; x < 640; ++x) half.depth_mm[static_cast<std::size_t>(y * 640 + x)] = 0;
+  const Axis axis = fit_axis(a.scan).axis;
+  const Image common =
+      common_cover(engine::Seq<Image>({cover(a.scan, axis), cover(half, axis)}), {.share = 1, .shrink_cells = 0});
+  const DepthScan cropped = crop(a.scan, axis, common);
+  std::size_t left = 0, right = 0;
+  for (int y = 150; y < 350; ++y)
+    for (int x = 0; x < 640; ++x)
+      (x < 325 ? left : right) += cropped.depth_mm[static_cast<std::size_t>(y * 640 + x)] > 0 ? 1 : 0;
+  EXPECT_GE(left, 15000u);
+  EXPECT_LE(right, 2000u);
+}
+
+TEST(Crop, RejectsNoScansAndMasksOfAnotherSize) {
+  EXPECT_THROW_TEXT(common_cover(engine::Seq<Image>()), "covers is empty, expected at least one scan");
+  const auto a = stream().frame(stream().weights({}));
+  EXPECT_THROW_TEXT(crop(a.scan, {}, {3, 2, 1, std::vector<std::uint8_t>(6, 0)}),
+                    "mask is 3 x 2 cells, expected 180 x 160");
+}
+
+TEST(ChooseReference, TakesASlightlyOpenMouthOrTheNamedFrame) {
+  std::vector<DepthScan> scans(5);
+  std::vector<Landmarks> markers(5, Landmarks{{{"a", 1, 1, true}, {"b", 2, 2, true}}});
+  std::vector<Image> interiors;
+  for (const int area : {0, 3, 10, 9, 4}) {
+    interiors.push_back({10, 1, 1, std::vector<std::uint8_t>(10, 0)});
+    for (int i = 0; i < area; ++i) interiors.back().pixels[static_cast<std::size_t>(i)] = 255;
+  }
+  markers[1].points[1].valid = false;
+  const auto choose = [&](const std::string& frame) {
+    return choose_reference(engine::Seq<DepthScan>(scans), engine::Seq<Landmarks>(markers),
+                            engine::Seq<Image>(interiors), {.frame = frame})
+        .frame;
+  };
+  EXPECT_EQ(choose(""), "4");
+  EXPECT_EQ(choose("2"), "2");
+  EXPECT_THROW_TEXT(choose("7"), "frame is \"7\", which no scan has; the first is \"0\", the last \"4\"");
+}
