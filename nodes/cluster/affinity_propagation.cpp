@@ -37,8 +37,14 @@ AffinityPropagationResult affinity_propagation(const Matrix& points, const Affin
     std::vector<std::size_t> exemplars;
     for (const std::size_t k : messages.exemplars) exemplars.push_back(candidates[k]);
     assignment = assign(points, std::move(exemplars));
-    assignment = pruned ? improve_locally(points, similarities, std::move(assignment), result.preference)
-                        : improve_medoids(points, std::move(assignment), 1);
+    if (pruned) {
+      assignment = improve_locally(points, similarities, std::move(assignment), result.preference);
+      const Similarities central(points,
+                                 central_candidates(points, assignment, static_cast<std::size_t>(options.candidates)));
+      assignment = improve_locally(points, central, std::move(assignment), result.preference);
+    } else {
+      assignment = improve_medoids(points, std::move(assignment), 1);
+    }
   }
   if (!result.converged)
     progress.warn(

@@ -19,7 +19,7 @@ struct AffinityPropagationOptions {
   AffinityMethod method = AffinityMethod::exact;
   PreferenceRule rule = PreferenceRule::minimum;  // of the similarities of pairs, as the paper has it
   double preference = -1;                         // where the rule is `value`; more negative makes fewer groups
-  double damping = 0.5;
+  double damping = 0.9;  // as Frey and Dueck's own program; at 0.5 (scikit-learn) tight groups make messages swing
   std::int64_t max_iterations = 200;
   std::int64_t patience = 15;     // iterations without a change of the exemplars that count as converged
   std::int64_t candidates = 600;  // of the pruned method
@@ -48,8 +48,9 @@ struct AffinityPropagationResult {
 // exemplar and points go to their nearest exemplar. Differs from it: no noise is added to the similarities.
 //
 // pruned: only `candidates` points, spread by farthest-point sampling and drawn at random, half each, may be exemplars;
-// then exemplars move to the middle of their groups, groups that cost more than they are worth are given up, and
-// candidates that are worth more than they cost are taken in, until nothing changes.
+// then exemplars move to the middle of their groups, are exchanged for better candidates, groups that cost more than
+// they are worth are given up and candidates that are worth more than they cost are taken in, until nothing changes;
+// then once more with the points in the middle of the groups as candidates.
 AffinityPropagationResult affinity_propagation(const Matrix& points, const AffinityPropagationOptions& options,
                                                engine::Progress& progress);
 

@@ -14,7 +14,11 @@ namespace face::cluster {
 // groups, half at random, which finds dense ones.
 std::vector<std::size_t> spread_candidates(const Matrix& points, std::size_t count, std::uint64_t seed);
 
-// Gives up groups, takes in candidates and moves exemplars as long as the net similarity rises.
+// About `count` points in the middle of the groups, the same number for each, and the exemplars; ascending.
+std::vector<std::size_t> central_candidates(const Matrix& points, const Assignment& assignment, std::size_t count);
+
+// Gives up groups, exchanges exemplars for candidates, takes in candidates and moves exemplars to the middle of their
+// groups as long as the net similarity rises.
 Assignment improve_locally(const Matrix& points, const Similarities& similarities, Assignment assignment,
                            double preference);
 

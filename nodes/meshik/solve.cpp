@@ -152,8 +152,8 @@ double MeshIkSolver::energy(const VertexTargets& targets, const std::vector<doub
   return state_->evaluate(targets, weights, vertices, gradient);
 }
 
-VertexSolution MeshIkSolver::solve(const VertexTargets& targets, const std::vector<double>& start,
-                                   const SolveOptions& options) const {
+VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const std::vector<double>& start,
+                                            const SolveOptions& options) const {
   const MeshSpace& space = state_->space;
   check(start.size() == space.example_count, "start has ", start.size(), " weights, expected ", space.example_count);
   state_->check_same(targets);
@@ -234,7 +234,7 @@ SolveResult solve(const MeshSpace& space, const VertexTargets& targets, const We
       weights[k] = static_cast<double>(start->values[k]);
     }
   }
-  const VertexSolution found = MeshIkSolver(space, targets).solve(targets, weights, options);
+  const VertexSolution found = MeshIkSolver(space, targets).solve_vertices(targets, weights, options);
   SolveResult result;
   for (const double weight : found.weights) result.weights.values.push_back(static_cast<float>(weight));
   result.points.points_mm = points_of(found.vertices_mm);

@@ -43,8 +43,8 @@ class MeshIkSolver {
   ~MeshIkSolver();
 
   // targets: the same vertices in the same order. start: K weights, a good guess saves iterations.
-  VertexSolution solve(const VertexTargets& targets, const std::vector<double>& start,
-                       const SolveOptions& options) const;
+  VertexSolution solve_vertices(const VertexTargets& targets, const std::vector<double>& start,
+                                const SolveOptions& options) const;
 
   // The energy and its gradient for given weights, the vertices solved for.
   double energy(const VertexTargets& targets, const std::vector<double>& weights, std::vector<double>* gradient) const;

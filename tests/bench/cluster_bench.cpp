@@ -11,6 +11,7 @@ void affinity_propagation(benchmark::State& state) {
   const test::PlantedGroups groups = test::planted_groups(static_cast<std::size_t>(state.range(0)), 30, 21);
   face::cluster::AffinityPropagationOptions options;
   options.method = state.range(1) != 0 ? face::cluster::AffinityMethod::pruned : face::cluster::AffinityMethod::exact;
+  options.damping = static_cast<double>(state.range(2)) / 100;
   engine::Progress progress;
   face::cluster::AffinityPropagationResult result;
   for (auto _ : state) result = face::cluster::affinity_propagation(groups.points, options, progress);
@@ -21,11 +22,10 @@ void affinity_propagation(benchmark::State& state) {
   state.counters["converged"] = result.converged;
 }
 BENCHMARK(affinity_propagation)
-    ->ArgNames({"points", "pruned"})
-    ->Args({2000, 0})
-    ->Args({2000, 1})
-    ->Args({18000, 0})
-    ->Args({18000, 1})
+    ->ArgNames({"points", "pruned", "damping_percent"})
+    ->ArgsProduct({{2000}, {0, 1}, {50, 90}})
+    ->Args({18000, 0, 90})
+    ->Args({18000, 1, 90})
     ->Iterations(1)
     ->Unit(benchmark::kSecond)
     ->UseRealTime()

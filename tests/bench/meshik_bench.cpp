@@ -65,14 +65,14 @@ void solve_a_frame(benchmark::State& state) {
   const bool warm = state.range(0) != 0, node = state.range(1) != 0;
   const face::meshik::MeshIkSolver kept(performance.space, performance.frames[0]);
   const std::vector<double> zero(20, 0.0);
-  std::vector<double> weights = kept.solve(performance.frames[0], zero, {}).weights;
+  std::vector<double> weights = kept.solve_vertices(performance.frames[0], zero, {}).weights;
   std::size_t frame = 0;
   double iterations = 0;
   for (auto _ : state) {
     const face::VertexTargets& targets = performance.frames[++frame % performance.frames.size()];
     const std::vector<double>& start = warm ? weights : zero;
-    const auto found = node ? face::meshik::MeshIkSolver(performance.space, targets).solve(targets, start, {})
-                            : kept.solve(targets, start, {});
+    const auto found = node ? face::meshik::MeshIkSolver(performance.space, targets).solve_vertices(targets, start, {})
+                            : kept.solve_vertices(targets, start, {});
     weights = found.weights;
     iterations += static_cast<double>(found.iterations);
     if (!found.converged) state.SkipWithError("a frame did not converge");

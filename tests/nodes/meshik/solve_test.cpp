@@ -52,7 +52,8 @@ TEST(Solve, FindsTheWeightsThatMadeTheTargets) {
   SolveOptions options;
   options.restraint = 0;
   options.tolerance = 1e-7;
-  const VertexSolution found = MeshIkSolver(space, targets).solve(targets, std::vector<double>(6, 0.0), options);
+  const VertexSolution found =
+      MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(6, 0.0), options);
   EXPECT_TRUE(found.converged);
   EXPECT_LE(found.iterations, 25);
   // The blend of several examples is no mesh's own gradients, so that other weights may explain its vertices better.
@@ -68,7 +69,8 @@ TEST(Solve, FindsAnExampleExactly) {
   SolveOptions options;
   options.restraint = 0;
   options.tolerance = 1e-7;
-  const VertexSolution found = MeshIkSolver(space, targets).solve(targets, std::vector<double>(4, 0.0), options);
+  const VertexSolution found =
+      MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(4, 0.0), options);
   EXPECT_TRUE(found.converged);
   EXPECT_LT(largest_difference(found.weights, {0, 0, 1, 0}), 1e-5);  // the tolerance of the last step
   std::vector<double> z_free = found.vertices_mm, expected = sheet.examples_mm[2];
@@ -85,7 +87,7 @@ TEST(Solve, PutsTheTargetsExactlyWhereTheyHaveToBe) {
       targets.targets[i].z_mm = 30 + std::cos(static_cast<double>(i));
     }
   }
-  const VertexSolution found = MeshIkSolver(space, targets).solve(targets, std::vector<double>(5, 0.0), {});
+  const VertexSolution found = MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(5, 0.0), {});
   for (const VertexTarget& target : targets.targets) {
     // 1e-6 of the sheet's diagonal (280 mm) is the bar; the equations are exact.
     EXPECT_NEAR(found.vertices_mm[3 * target.vertex], target.x_mm, 1e-9);
@@ -140,12 +142,14 @@ TEST(BlendJacobian, IsWhatDifferencesAre) {
 TEST(Solve, MovesWithItsTargets) {
   const MeshSpace space = space_of(4);
   VertexTargets targets = targets_of(reconstruct_vertices(space, {0.4, 0.1, 0.2, 0.6}), 7);
-  const VertexSolution here = MeshIkSolver(space, targets).solve(targets, std::vector<double>(4, 0.0), exact());
+  const VertexSolution here =
+      MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(4, 0.0), exact());
   for (VertexTarget& target : targets.targets) {
     target.x_mm += 400;
     target.y_mm -= 90;
   }
-  const VertexSolution there = MeshIkSolver(space, targets).solve(targets, std::vector<double>(4, 0.0), exact());
+  const VertexSolution there =
+      MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(4, 0.0), exact());
   EXPECT_LT(largest_difference(here.weights, there.weights), 1e-7);
   for (std::size_t v = 0; v < space.vertex_count; ++v) {
     EXPECT_NEAR(there.vertices_mm[3 * v], here.vertices_mm[3 * v] + 400, 1e-6);
@@ -158,8 +162,8 @@ TEST(Solve, EndsAtTheSameWeightsFromAnyStart) {
   const MeshSpace space = space_of(6);
   const VertexTargets targets = targets_of(reconstruct_vertices(space, {0.3, 0.1, 0.7, 0, 0.2, 0.5}), 7);
   const MeshIkSolver solver(space, targets);
-  const VertexSolution cold = solver.solve(targets, std::vector<double>(6, 0.0), exact());
-  const VertexSolution warm = solver.solve(targets, {0.32, 0.08, 0.68, 0.03, 0.2, 0.5}, exact());
+  const VertexSolution cold = solver.solve_vertices(targets, std::vector<double>(6, 0.0), exact());
+  const VertexSolution warm = solver.solve_vertices(targets, {0.32, 0.08, 0.68, 0.03, 0.2, 0.5}, exact());
   EXPECT_LT(largest_difference(cold.weights, warm.weights), 1e-5);
   EXPECT_LE(warm.iterations, cold.iterations);
 }

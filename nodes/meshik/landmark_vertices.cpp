@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/landmark_vertices.h"
+
+#include "nodes/base/check.h"
+
+namespace face::meshik {
+
+std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks) {
+  check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(), " landmarks, expected 68");
+  const auto place = [](const std::string& name) -> int {
+    for (int i = 0; i < 12; ++i)
+      if (name == "lip_" + std::to_string(i)) return 48 + i;
+    if (name == "jaw_r") return 7;
+    if (name == "chin") return 8;
+    if (name == "jaw_l") return 9;
+    if (name == "eye_inner_r") return 39;
+    if (name == "eye_inner_l") return 42;
+    return name == "nose_tip" ? 30 : -1;
+  };
+  std::vector<LandmarkVertex> found;
+  for (std::size_t i = 0; i < landmarks.points.size(); ++i) {
+    const int at = place(landmarks.points[i].name);
+    if (at >= 0) found.push_back({i, rig.landmarks68[static_cast<std::size_t>(at)], at == 30 || at == 39 || at == 42});
+  }
+  check(!found.empty(),
+        "no landmark is called lip_0 to lip_11, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l or nose_tip");
+  return found;
+}
+
+}  // namespace face::meshik

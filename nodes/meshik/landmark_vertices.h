@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "nodes/types/landmarks.h"
+#include "nodes/types/rig.h"
+
+namespace face::meshik {
+
+struct LandmarkVertex {
+  std::size_t landmark = 0;  // index into the landmarks
+  std::uint32_t vertex = 0;
+  bool rigid = false;  // moves with the skull alone
+};
+
+// The rig's vertices at the landmarks of the 18-point layout (lip_0 to lip_11 from the right corner of the mouth over
+// the upper lip, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l, nose_tip), which are points 48 to 59, 7
+// to 9, 39, 42 and 30 of its 68. Landmarks of other names are left out. Throws where the rig has no landmarks or no
+// landmark of the layout is there.
+std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks);
+
+}  // namespace face::meshik

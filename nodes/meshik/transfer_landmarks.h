@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/port.h"
+#include "nodes/types/key_shapes.h"
+#include "nodes/types/mesh.h"
+#include "nodes/types/rig.h"
+#include "nodes/types/vertex_targets.h"
+#include "nodes/types/weights.h"
+
+namespace face::meshik {
+
+// Where the mesh's landmark vertices have to be in a frame: the key meshes' own, blended linearly by the frame's
+// weights of the key shapes, and of that x and y alone (Animating Lip-Sync Speech Faces, section 6). Targets of
+// meshik.solve. rig: whose mesh at rest the key meshes are poses of. key_shapes: whose landmarks are used. No weights
+// (the frame was lost) give no targets.
+VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const KeyShapes& key_shapes,
+                                 const Weights& weights);
+
+}  // namespace face::meshik

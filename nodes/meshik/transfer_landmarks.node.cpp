@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/transfer_landmarks.h"
+
+#include "engine/node.h"
+using namespace engine::declare;
+using namespace face::meshik;
+
+NODE("meshik.transfer_landmarks", &transfer_landmarks, version{1},
+     doc{"Where the mesh's landmarks have to be when the speaker's face is a mixture of key shapes."},
+     input{"rig", "The head"}, input{"key_meshes", "The head in every key shape"},
+     input{"key_shapes", "The speaker's key shapes"}, input{"weights", "The frame's weights of the key shapes"},
+     output("targets", "x and y of the landmark vertices"));

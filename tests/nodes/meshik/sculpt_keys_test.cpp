@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/sculpt_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nodes/meshik/blend_linear.h"
+#include "nodes/meshik/transfer_landmarks.h"
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::meshik;
+
+// A rig that is its 68 landmarks alone: lips on a ring, eyes and nose above, jaw below.
+Rig landmark_rig() {
+  Rig rig;
+  rig.neutral.points_mm.resize(68, {0, 0, 0});
+  for (std::uint32_t i = 0; i < 68; ++i) rig.landmarks68.push_back(i);
+  auto& points = rig.neutral.points_mm;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / 12;
+    points[static_cast<std::size_t>(48 + i)] = {static_cast<float>(-25 * std::cos(angle)),
+                                                static_cast<float>(8 * std::sin(angle)), 0};
+  }
+  points[39] = {-16, 60, 0};
+  points[42] = {16, 60, 0};
+  points[30] = {0, 30, 10};
+  for (int i = 0; i < 3; ++i) points[static_cast<std::size_t>(7 + i)] = {static_cast<float>(20 * (i - 1)), -45, 0};
+  Shape open{"jawOpen", {7, 8, 9, 55, 56, 57, 58, 59}, {}};
+  for (std::size_t i = 0; i < 8; ++i) open.offsets_mm.push_back({0, i < 3 ? -20.0f : -16.0f, -3});
+  Shape pucker{"mouthPucker", {48, 54}, {{9, 0, 4}, {-9, 0, 4}}};
+  Shape blink{"eyeBlinkLeft", {42}, {{0, -5, 0}}};
+  rig.shapes = {open, pucker, blink};
+  return rig;
+}
+
+// The rig's landmarks at these weights, seen by a camera of 0.5 mm per pixel.
+Landmarks seen(const Rig& rig, float open, float pucker) {
+  std::vector<Vec3f> points = rig.neutral.points_mm;
+  for (std::size_t s = 0; s < 2; ++s)
+    for (std::size_t i = 0; i < rig.shapes[s].vertices.size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d)
+        points[rig.shapes[s].vertices[i]][d] += (s == 0 ? open : pucker) * rig.shapes[s].offsets_mm[i][d];
+  Landmarks landmarks;
+  const auto add = [&](const std::string& name, std::size_t i) {
+    landmarks.points.push_back(
+        {name, 180 + static_cast<double>(points[i][0]) / 0.5, 200 - static_cast<double>(points[i][1]) / 0.5, true});
+  };
+  add("eye_inner_r", 39);
+  add("eye_inner_l", 42);
+  add("nose_tip", 30);
+  for (std::size_t i = 0; i < 12; ++i) add("lip_" + std::to_string(i), 48 + i);
+  add("jaw_r", 7);
+  add("chin", 8);
+  add("jaw_l", 9);
+  return landmarks;
+}
+
+struct Sculpted {
+  SculptKeysResult result;
+  std::vector<Mesh> meshes;
+  std::vector<Weights> weights;
+};
+Sculpted sculpt(const Rig& rig, const KeyShapes& keys, const Landmarks& neutral,
+                const SculptKeysOptions& options = {}) {
+  Sculpted sculpted;
+  engine::SeqWriter<Mesh> meshes([&](const std::string&, Mesh mesh) { sculpted.meshes.push_back(std::move(mesh)); });
+  engine::SeqWriter<Weights> weights([&](const std::string&, Weights w) { sculpted.weights.push_back(std::move(w)); });
+  sculpted.result = sculpt_keys(rig, keys, neutral, meshes, weights, options);
+  return sculpted;
+}
+
+TEST(SculptKeys, FindsTheWeightsThatMadeTheLandmarks) {
+  const Rig rig = landmark_rig();
+  const KeyShapes keys{{{"1", 1, seen(rig, 0.6f, 0)}, {"2", 1, seen(rig, 0.1f, 0.8f)}}};
+  const Sculpted found = sculpt(rig, keys, seen(rig, 0, 0), {1e-9});
+  EXPECT_NEAR(found.result.mm_per_px, 0.5, 1e-6);
+  EXPECT_NEAR(found.result.rms_mm, 0, 1e-5);
+  EXPECT_NEAR(found.weights[0].values[0], 0.6, 1e-5);
+  EXPECT_NEAR(found.weights[0].values[1], 0, 1e-5);
+  EXPECT_NEAR(found.weights[1].values[1], 0.8, 1e-5);
+  EXPECT_EQ(found.weights[1].values[2], 0);  // an eye is no mouth
+  EXPECT_NEAR(found.meshes[0].points_mm[57][1], rig.neutral.points_mm[57][1] - 0.6f * 16, 1e-4);
+}
+
+TEST(SculptKeys, StaysWithinTheRigsRange) {
+  const Rig rig = landmark_rig();
+  const Sculpted found = sculpt(rig, {{{"1", 1, seen(rig, 1.7f, -0.5f)}}}, seen(rig, 0, 0));
+  EXPECT_EQ(found.weights[0].values[0], 1);
+  EXPECT_EQ(found.weights[0].values[1], 0);
+  EXPECT_GT(found.result.rms_mm, 1);
+}
+
+TEST(SculptKeys, RejectsARigOrLandmarksThatDoNotFit) {
+  Rig rig = landmark_rig();
+  Landmarks upside_down = seen(rig, 0, 0);
+  for (Landmark& point : upside_down.points) {
+    point.x_px *= -1;
+    point.y_px *= -1;
+  }
+  EXPECT_THROW_TEXT(sculpt(rig, {}, upside_down), "the neutral landmarks do not lie as those of an upright face do");
+  EXPECT_THROW_TEXT(sculpt(rig, {}, {{{"a", 0, 0, true}}}),
+                    "no landmark is called lip_0 to lip_11, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l or nose_tip");
+  rig.landmarks68.clear();
+  EXPECT_THROW_TEXT(sculpt(rig, {}, seen(landmark_rig(), 0, 0)), "the rig has 0 landmarks, expected 68");
+}
+
+TEST(TransferLandmarks, BlendsTheLandmarksOfTheKeyMeshes) {
+  const Rig rig = landmark_rig();
+  const KeyShapes keys{{{"1", 1, seen(rig, 1, 0)}, {"2", 1, seen(rig, 0, 1)}}};
+  const engine::Seq<Mesh> meshes(sculpt(rig, keys, seen(rig, 0, 0), {1e-9}).meshes);
+  const VertexTargets targets = transfer_landmarks(rig, meshes, keys, {{0.5f, 0.25f}});
+  ASSERT_EQ(targets.targets.size(), 18u);
+  for (const VertexTarget& target : targets.targets) {
+    EXPECT_FALSE(target.has_z);
+    if (target.vertex == 57) {
+      EXPECT_NEAR(target.y_mm, -8 - 8, 1e-3);
+    }
+    if (target.vertex == 48) {
+      EXPECT_NEAR(target.x_mm, -25 + 0.25 * 9, 1e-3);
+    }
+  }
+  EXPECT_TRUE(transfer_landmarks(rig, meshes, keys, {}).targets.empty());
+  EXPECT_THROW_TEXT(transfer_landmarks(rig, meshes, keys, {{1.0f}}),
+                    "there are 1 weights, expected 2, one per key mesh");
+}
+
+TEST(BlendLinear, MovesEveryVertexInAStraightLine) {
+  Mesh reference, example;
+  reference.points_mm = {{0, 0, 0}, {1, 2, 3}};
+  example.points_mm = {{2, 0, 0}, {1, 2, 7}};
+  const MeshPoints found = blend_linear(reference, engine::Seq<Mesh>({example}), {{0.5f}});
+  EXPECT_EQ(found.points_mm, (std::vector<Vec3f>{{1, 0, 0}, {1, 2, 5}}));
+  EXPECT_THROW_TEXT(blend_linear(reference, engine::Seq<Mesh>({example}), {{0.5f, 1}}),
+                    "there are 2 weights, expected at most 1, one per example");
+}
+
+}  // namespace
