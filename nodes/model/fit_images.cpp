@@ -11,6 +11,7 @@
 #include "nodes/model/landmark_basis.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
+#include "nodes/model/robust_weights.h"
 
 namespace face::model {
 namespace {
@@ -19,11 +20,10 @@ using Vector = Eigen::VectorXd;
 using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Prior spread of the rendering parameters (sigma_R of equation 8), about their start.
-constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.2;
+constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.12;
 constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
                                                   0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
 constexpr double overlap_sigma_mm = 0.3;
-constexpr double least_noise = 0.02;  // of a pixel, as a share of the scale: the model is never better
 constexpr double extreme_share = 0.45;
 constexpr int light_steps = 6;
 
@@ -57,29 +57,6 @@ struct Joint {
   std::size_t own() const { return FacePose::size + basis.expressions + light_parameters; }
 };
 
-double median_of(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Robust root weights of the rows, one per point (Geman and McClure's kernel), at the noise of this set.
-std::vector<float> robust_weights(const std::vector<float>& residual, double& noise) {
-  std::vector<float> lengths(residual.size() / 3);
-  for (std::size_t i = 0; i < lengths.size(); ++i)
-    lengths[i] = std::sqrt((residual[3 * i] * residual[3 * i] + residual[3 * i + 1] * residual[3 * i + 1] +
-                            residual[3 * i + 2] * residual[3 * i + 2]) /
-                           3.0f);
-  noise = std::max(least_noise, median_of(lengths));  // of a Rayleigh-like length, near its sigma
-  const auto scale = static_cast<float>(2.5 * noise);
-  for (float& length : lengths) {
-    const float u = length / scale;
-    length = 1.0f / (1.0f + u * u);
-  }
-  return lengths;
-}
-
 struct Normal {
   Eigen::MatrixXd a;
   Vector b;
@@ -103,7 +80,10 @@ void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level
     j.row(i) *= w;
     r[i] *= w;
   }
-  const double weight = share * joint.options.image_weight / static_cast<double>(n / 3) / (noise * noise);
+  // The larger the differences, the more of them is what no coefficients explain; that is alike over whole regions, so
+  // the picture counts as fewer independent points.
+  const double trust = (least_noise / noise) * (least_noise / noise);
+  const double weight = share * trust * joint.options.image_weight / static_cast<double>(n / 3) / (noise * noise);
   const Eigen::MatrixXf a = j.transpose() * j;
   const Eigen::VectorXf b = j.transpose() * r;
   const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
@@ -172,8 +152,8 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
       double gap = 0;
       for (std::size_t k = 0; k < joint.basis.expressions; ++k) gap += row[k] * picture.state.expression[k];
       const double sigma = gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
-      const double weight = 1 / (sigma * sigma * static_cast<double>(joint.gaps.size())) /
-                            (gap < 0 ? 1 : 1 + std::pow(gap / sigma, 2));  // an open mouth is not pulled at
+      const double weight =
+          1 / (sigma * sigma) / (gap < 0 ? 1 : 1 + std::pow(gap / sigma, 2));  // an open mouth is not pulled at
       normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
       normal.b.segment(expression, g.size()) -= weight * gap * g;
     }
@@ -258,9 +238,7 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit&
   Random random(static_cast<std::uint64_t>(joint.options.seed), 77);
   const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), picture.state,
                                     level, {0, 0, 0, false}, 4000, random);
-  double total = 0;
-  for (const float r : rows.residual) total += static_cast<double>(r) * r;
-  fit.image_rms = rows.residual.empty() ? 1.0 : std::sqrt(total / static_cast<double>(rows.residual.size()));
+  fit.image_rms = trimmed_rms(rows.residual);
   fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
   const FitLandmarksOptions limits;
   if (rows.visible < 200)

@@ -4,20 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "nodes/base/check.h"
 #include "nodes/model/light_model.h"
+#include "nodes/model/skin_atlas.h"
 #include "nodes/model/skin_modes.h"
 #include "nodes/render/mouth_light.h"
 #include "nodes/render/rgb_image.h"
 #include "nodes/texture/posed_face.h"
-#include "nodes/texture/skin_atlas.h"
 
 namespace face::texture {
 namespace {
 
 // Where drawing fades, mm: below the eyes, above the neck, in front of the ears.
 constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 14, chin_fade_mm = 20, ears_fade_mm = 22;
+
+// Of the light before the face on what lies behind the lips. A fit cannot tell a lighter skin from a stronger light,
+// and teeth have no colour of their own to go by: more would make them glow.
+constexpr double mouth_share = 0.75;
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -74,8 +80,8 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   const Mesh& mesh = person.neutral;
   const PosedFace face = pose_face(mesh, points_mm, fit, samples);
   const std::vector<float> share = drawn_share(person);
-  const std::vector<render::Triangle> corners = uv_corners(mesh, face.solid);
-  const SkinAtlas atlas = make_skin_atlas(mesh);
+  const std::vector<render::Triangle> corners = model::uv_corners(mesh, face.solid);
+  const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
   const std::vector<Vec3f> own = model::vertex_albedo(mesh);
   const render::MouthLight mouth = render::mouth_light(person, points_mm);
   std::vector<char> mouth_part(mesh.parts.size());
@@ -125,8 +131,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
       for (std::size_t c = 0; c < 3; ++c) {
         double strength = model::light_at(fit.light, c, parallel);
         if (is_mouth)
-          strength = strength * exposure +
-                     (1.0 - exposure) * mouth.bounced[c] * (fit.light.ambient[c] + fit.light.parallel[c]);
+          strength = mouth_share * std::min(1.0, strength) * (exposure + (1.0 - exposure) * mouth.bounced[c]);
         lit[c] = strength * colour[c];
       }
       const std::array<double, 3> value = model::shown(fit.light, lit);
@@ -137,19 +142,31 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   return layer;
 }
 
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background) {
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask,
+               double margin_px) {
   const Image front = render::rgb_image(picture), back = render::rgb_image(background);
   check(front.width == layer.width && front.height == layer.height, "the picture is ", front.width, " x ", front.height,
         " pixels, the fit was made on ", layer.width, " x ", layer.height);
   check(back.width == layer.width && back.height == layer.height, "the background is ", back.width, " x ", back.height,
         " pixels, expected ", layer.width, " x ", layer.height);
+  // Where a face was and is no more, by more than a thin line, widened by the margin.
+  cv::Mat revealed(layer.height, layer.width, CV_8U), soft;
+  for (std::size_t i = 0; i < layer.cover.size(); ++i)
+    revealed.data[i] = mask.pixels[i] > 127 && layer.cover[i] < 0.5f ? 255 : 0;
+  cv::morphologyEx(revealed, revealed, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
+  const int margin = std::max(1, static_cast<int>(std::lround(margin_px)));
+  cv::dilate(revealed, revealed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}));
+  cv::GaussianBlur(revealed, soft, {0, 0}, 0.7);
   Image result = front;
-  for (std::size_t i = 0; i < layer.alpha.size(); ++i)
+  for (std::size_t i = 0; i < layer.alpha.size(); ++i) {
+    const float kept = std::max(0.0f, layer.cover[i] - layer.alpha[i]), open = std::max(0.0f, 1 - layer.cover[i]);
+    const float shown = open * static_cast<float>(soft.data[i]) / 255.0f;
     for (std::size_t c = 0; c < 3; ++c) {
-      const float kept = std::max(0.0f, layer.cover[i] - layer.alpha[i]), open = std::max(0.0f, 1 - layer.cover[i]);
-      const float value = 255.0f * layer.colour[i][c] + kept * front.pixels[3 * i + c] + open * back.pixels[3 * i + c];
+      const float value = 255.0f * layer.colour[i][c] + (kept + open - shown) * front.pixels[3 * i + c] +
+                          shown * back.pixels[3 * i + c];
       result.pixels[3 * i + c] = static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
     }
+  }
   return result;
 }
 

@@ -27,7 +27,12 @@ std::vector<float> drawn_share(const Rig& person);
 FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
                     int samples);
 
-// The layer over the picture where a face was and is, over the background where one was.
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background);
+// By which the place where a face is no more is widened: a fit is never exact.
+inline constexpr double revealed_margin_mm = 1.5;
+
+// The layer over the picture; where a face was by the mask (grey) and is no more, the background. margin_px: by which
+// that place is widened.
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask,
+               double margin_px);
 
 }  // namespace face::texture

@@ -8,10 +8,10 @@
 #include "nodes/base/check.h"
 #include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
+#include "nodes/model/skin_atlas.h"
 #include "nodes/render/rgb_image.h"
 #include "nodes/texture/fill_ratio.h"
 #include "nodes/texture/posed_face.h"
-#include "nodes/texture/skin_atlas.h"
 
 namespace face::texture {
 namespace {
@@ -71,10 +71,10 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   const PosedFace face = pose_face(model.mean, model::pose_model(model, fit.identity, fit.expression), fit, 1);
   const std::vector<Vec3f> model_albedo = model::albedo_of(model, fit.albedo);
   const std::vector<std::uint8_t> to_edge = pixels_to_edge(face);
-  const SkinAtlas atlas = make_skin_atlas(model.mean);
+  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
   AlbedoMap map;
   map.width = map.height = static_cast<int>(options.size_px);
-  const TexelMap texels = map_texels(atlas, map.width, map.height);
+  const model::TexelMap texels = model::map_texels(atlas, map.width, map.height);
   const std::size_t count = texels.raster.triangles.size();
   map.albedo.assign(count, Vec3f{0, 0, 0});
   map.weight.assign(count, 0.0f);

@@ -7,8 +7,8 @@
 #include "nodes/base/check.h"
 #include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
+#include "nodes/model/skin_atlas.h"
 #include "nodes/render/shade.h"
-#include "nodes/texture/skin_atlas.h"
 
 namespace face::texture {
 
@@ -25,7 +25,7 @@ Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, 
     for (std::size_t c = mesh.polygon_starts[part.first_polygon];
          c < mesh.polygon_starts[part.first_polygon + part.polygon_count]; ++c)
       for (std::size_t k = 0; k < 3; ++k) part_albedo[mesh.corners[c]][k] = srgb.linear(part.albedo_srgb[k]);
-  const SkinAtlas atlas = make_skin_atlas(mesh);
+  const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t v = atlas.triangles[t][i];

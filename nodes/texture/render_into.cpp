@@ -3,7 +3,9 @@
 
 #include "nodes/base/pose.h"
 #include "nodes/model/pose_model.h"
+#include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
+#include "nodes/texture/face_mask.h"
 
 namespace face::texture {
 
@@ -13,7 +15,8 @@ Image render_into(const MorphableModel& model, const Rig& person, const AlbedoMa
   const std::vector<Vec3f> points =
       weights != nullptr ? pose_points(person, *weights) : model::pose_model(model, fit.identity, fit.expression);
   return lay_over(draw_face(person, albedo, points, fit, static_cast<int>(options.samples)), picture,
-                  background != nullptr ? *background : picture);
+                  background != nullptr ? *background : picture, face_mask(model, fit),
+                  revealed_margin_mm * face_scale_px(fit));
 }
 
 }  // namespace face::texture

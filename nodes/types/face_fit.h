@@ -31,7 +31,7 @@ struct FaceFit {
   std::string problem;         // what is wrong and what to do about it; empty where nothing is
   double landmark_rms_px = 0;  // distance of the given points to the model's
   double landmark_nme = 0;     // their mean distance over that of the outer corners of the eyes
-  double image_rms = 0;        // difference of picture and model on the face's skin, in [0, 1]; 0 = not compared
+  double image_rms = 0;        // difference of picture and model on the better four fifths of the skin, in [0, 1]
   double lip_gap_mm = 0;       // how far the mouth is open, as Rig's lip gap
 };
 

@@ -7,7 +7,7 @@
 #include "nodes/render/triangulate.h"
 #include "nodes/types/mesh.h"
 
-namespace face::texture {
+namespace face::model {
 
 // How a face's skin lies on a map: its own uvs, or for a mesh without any its height and angle about the head's upright
 // axis. Only parts named "face" (all where there are none).
@@ -30,4 +30,4 @@ struct TexelMap {
 };
 TexelMap map_texels(const SkinAtlas& atlas, int width, int height);
 
-}  // namespace face::texture
+}  // namespace face::model

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/texture/skin_atlas.h"
+#include "nodes/model/skin_atlas.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace face::texture {
+namespace face::model {
 namespace {
 
 std::vector<Vec2f> cylinder_uvs(const std::vector<Vec3f>& points) {
@@ -90,4 +90,4 @@ TexelMap map_texels(const SkinAtlas& atlas, int width, int height) {
   return map;
 }
 
-}  // namespace face::texture
+}  // namespace face::model

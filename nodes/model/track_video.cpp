@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/track_video.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nodes/base/check.h"
+#include "nodes/model/pixel_rows.h"
+#include "nodes/model/pose_model.h"
+#include "nodes/model/robust_weights.h"
+#include "nodes/model/skin_atlas.h"
+
+namespace face::model {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double sizes_px[] = {30, 60, 110};  // distance of the outer corners of the eyes
+constexpr double usual_eye_distance_mm = 90;
+constexpr double scale_sigma = 0.05, overlap_sigma_mm = 0.3;
+
+// The map's colour at every vertex of the basis.
+std::vector<Vec3f> vertex_colours(const MorphableModel& model, const SkinBasis& basis, const AlbedoMap& map) {
+  std::vector<Vec3f> all = model.mean_albedo;
+  const SkinAtlas atlas = make_skin_atlas(model.mean);
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
+      const int x = std::clamp(static_cast<int>(uv[0] * static_cast<float>(map.width)), 0, map.width - 1);
+      const int y = std::clamp(static_cast<int>((1 - uv[1]) * static_cast<float>(map.height)), 0, map.height - 1);
+      const Vec3f& colour =
+          map.albedo[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)];
+      if (colour[0] > 0) all[atlas.triangles[t][i]] = colour;
+    }
+  std::vector<Vec3f> colours;
+  colours.reserve(basis.vertices.size());
+  for (const std::uint32_t v : basis.vertices) colours.push_back(all[v]);
+  return colours;
+}
+
+struct Tracked {
+  const MorphableModel* model;
+  const TrackVideoOptions* options;
+  SkinBasis basis;
+  std::vector<Vec3f> colours;
+  std::vector<double> identity, centre;  // centre: the frame before's expression
+  std::vector<std::vector<double>> gaps;
+};
+
+void step(const Tracked& tracked, const PictureLevel& level, double eyes_px, Random& random, PictureState& state,
+          std::array<double, FacePose::size>& moved_so_far) {
+  const std::size_t expressions = tracked.basis.expressions;
+  const PixelColumns columns{0, 0, expressions, false};
+  const PixelRows rows = pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, columns,
+                                    static_cast<std::size_t>(tracked.options->points), random);
+  if (rows.residual.size() < 30) return;
+  double noise = 0;
+  const std::vector<float> weights = robust_weights(rows.residual, noise);
+  const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
+  RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);
+  Eigen::VectorXf r = Eigen::Map<const Eigen::VectorXf>(rows.residual.data(), n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    j.row(i) *= weights[static_cast<std::size_t>(i / 3)];
+    r[i] *= weights[static_cast<std::size_t>(i / 3)];
+  }
+  const double weight = tracked.options->image_weight / static_cast<double>(n / 3) / (noise * noise);
+  Eigen::MatrixXd a = weight * (j.transpose() * j).cast<double>();
+  Vector b = -weight * (j.transpose() * r).cast<double>();
+  const auto add = [&](Eigen::Index column, double value, double sigma) {
+    a(column, column) += 1 / (sigma * sigma);
+    b[column] -= value / (sigma * sigma);
+  };
+  const double turn_sigma = tracked.options->turn_sigma_deg * std::numbers::pi / 180.0;
+  const double pose_sigmas[] = {turn_sigma, turn_sigma, turn_sigma, 0.1 * eyes_px, 0.1 * eyes_px, scale_sigma, 1e-6};
+  for (std::size_t k = 0; k < FacePose::size; ++k) add(static_cast<Eigen::Index>(k), moved_so_far[k], pose_sigmas[k]);
+  for (std::size_t k = 0; k < expressions; ++k) {
+    const double sigma = tracked.model->expression.sigmas[k];
+    const auto column = static_cast<Eigen::Index>(FacePose::size + k);
+    add(column, state.expression[k] - tracked.centre[k], tracked.options->change_sigma * sigma);
+    add(column, state.expression[k], 2 * sigma);
+  }
+  for (const std::vector<double>& row : tracked.gaps) {
+    const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(expressions));
+    double gap = 0;
+    for (std::size_t k = 0; k < expressions; ++k) gap += row[k] * state.expression[k];
+    if (gap >= 0) continue;
+    const double gap_weight = 1 / (overlap_sigma_mm * overlap_sigma_mm);
+    a.block(FacePose::size, FacePose::size, g.size(), g.size()) += gap_weight * g * g.transpose();
+    b.segment(FacePose::size, g.size()) -= gap_weight * gap * g;
+  }
+  const Vector found = a.ldlt().solve(b);
+  std::array<double, FacePose::size> turn{};
+  for (std::size_t k = 0; k < FacePose::size; ++k) {
+    turn[k] = found[static_cast<Eigen::Index>(k)];
+    moved_so_far[k] += turn[k];
+  }
+  state.pose = moved(state.pose, turn);
+  for (std::size_t k = 0; k < expressions; ++k)
+    state.expression[k] +=
+        std::clamp(found[static_cast<Eigen::Index>(FacePose::size + k)], -1.0 * tracked.model->expression.sigmas[k],
+                   1.0 * tracked.model->expression.sigmas[k]);
+}
+
+}  // namespace
+
+TrackVideoResult track_video(const MorphableModel& model, const Image& frame, const FaceFit& start,
+                             const AlbedoMap& albedo, const engine::Prior<TrackVideoResult>& prior,
+                             const TrackVideoOptions& options) {
+  check(frame.width == start.image_width_px && frame.height == start.image_height_px, "the frame is ", frame.width,
+        " x ", frame.height, " pixels, the start was fitted on ", start.image_width_px, " x ", start.image_height_px);
+  const FaceFit& before = prior ? prior->fit : start;
+  TrackVideoResult result;
+  result.fit = before;
+  result.fit.landmark_rms_px = result.fit.landmark_nme = 0;
+  if (!start.converged) {
+    result.fit.converged = false;
+    result.fit.problem = "the start could not be fitted: " + start.problem;
+    return result;
+  }
+  Tracked tracked{
+      &model, &options, make_skin_basis(model, start.identity.size(), static_cast<std::size_t>(options.expressions), 0),
+      {},     {},       {},
+      {}};
+  tracked.colours = vertex_colours(model, tracked.basis, albedo);
+  tracked.identity.assign(start.identity.begin(), start.identity.end());
+  tracked.gaps = lip_gap_rows(model);
+  tracked.centre.assign(tracked.basis.expressions, 0.0);
+  for (std::size_t k = 0; k < std::min(tracked.centre.size(), before.expression.size()); ++k)
+    tracked.centre[k] = before.expression[k];
+  PictureState state;
+  state.pose = pose_of(before.camera, turning_point(model));
+  state.expression = tracked.centre;
+  state.light = start.light;
+  state.seen = shadow_of(tracked.basis, tracked.identity, state);
+  Random random(static_cast<std::uint64_t>(options.seed));
+  const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
+  std::array<double, FacePose::size> moved_so_far{};
+  PictureLevel level;
+  for (const double size_px : sizes_px) {
+    level = make_level(frame, std::min(1.0, size_px / eyes_px));
+    for (std::int64_t i = 0; i < options.steps; ++i) step(tracked, level, eyes_px, random, state, moved_so_far);
+    if (size_px >= eyes_px) break;
+  }
+  FaceFit& fit = result.fit;
+  fit.expression.assign(state.expression.begin(), state.expression.end());
+  fit.camera = camera_of(state.pose);
+  fit.lip_gap_mm = lip_gap_of(model, fit.expression);
+  const PixelRows rows =
+      pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
+  fit.image_rms = trimmed_rms(rows.residual);
+  fit.converged = fit.image_rms <= options.max_image_rms;
+  fit.problem = fit.converged ? ""
+                              : message("frame and model differ by ", std::lround(100 * fit.image_rms),
+                                        " % of the scale: the face is lost here; start anew after it");
+  return result;
+}
+
+}  // namespace face::model

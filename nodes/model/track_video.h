@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+#include "engine/port.h"
+#include "nodes/types/albedo_map.h"
+#include "nodes/types/face_fit.h"
+#include "nodes/types/image.h"
+#include "nodes/types/morphable_model.h"
+
+namespace face::model {
+
+struct TrackVideoOptions {
+  std::int64_t expressions = 10;  // leading components that move; the paper: 4
+  std::int64_t points = 1000;     // random pixels per step
+  std::int64_t steps = 4;         // per size
+  double image_weight = 600;      // how many independent points a frame counts as
+  double change_sigma = 0.4;      // of a coefficient from frame to frame, over its own sigma
+  double turn_sigma_deg = 3;      // of the head from frame to frame
+  double max_image_rms = 0.15;    // difference of frame and model above which a frame is not believed
+  std::int64_t seed = 1;
+};
+
+struct TrackVideoResult {
+  FaceFit fit;
+};
+
+// Follows a head and its mouth through a video: each frame starts from the one before, which is also the centre of the
+// prior; identity, colours, light and focal length are the start's; the frame's size grows (Blanz, Basso, Poggio,
+// Vetter: Reanimating Faces in Images and Video, Eurographics 2003, section 4.1). Differs from the paper: Gauss-Newton
+// steps, robust weights, and a frame that does not look like the face says so. start: the fit of the first frame, or of
+// one near it. albedo: the face's own colours, of texture.extract.
+TrackVideoResult track_video(const MorphableModel& model, const Image& frame, const FaceFit& start,
+                             const AlbedoMap& albedo, const engine::Prior<TrackVideoResult>& prior,
+                             const TrackVideoOptions& options = {});
+
+}  // namespace face::model

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/texture/reanimate.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "nodes/base/check.h"
+#include "nodes/base/pose.h"
+#include "nodes/texture/continue_background.h"
+#include "nodes/texture/draw_face.h"
+#include "nodes/texture/face_mask.h"
+
+namespace face::texture {
+
+Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap& albedo, const FaceFit& fit,
+                const Image& frame, const Image& background, const engine::Window<Weights>& weights,
+                const ReanimateOptions& options) {
+  check(options.moments >= 1, "moments is ", options.moments, ", expected at least 1");
+  if (!fit.converged) return frame;
+  const Weights& now = weights.centre();
+  const Weights& next = weights[std::min(weights.centre_index() + 1, weights.size() - 1)];
+  const Image mask = face_mask(model, fit);
+  FaceLayer sum;
+  for (std::int64_t m = 0; m < options.moments; ++m) {
+    const float t = static_cast<float>(m) / static_cast<float>(options.moments);
+    Weights between = now;
+    between.values.resize(std::max(now.values.size(), next.values.size()), 0.0f);
+    for (std::size_t k = 0; k < next.values.size(); ++k) between.values[k] += t * (next.values[k] - between.values[k]);
+    for (std::size_t k = next.values.size(); k < between.values.size(); ++k) between.values[k] *= 1 - t;
+    const FaceLayer layer =
+        draw_face(person, albedo, pose_points(person, between), fit, static_cast<int>(options.samples));
+    const float share = 1.0f / static_cast<float>(options.moments);
+    if (m == 0) {
+      sum = layer;
+      for (Vec3f& c : sum.colour) c = {0, 0, 0};
+      std::fill(sum.alpha.begin(), sum.alpha.end(), 0.0f);
+      std::fill(sum.cover.begin(), sum.cover.end(), 0.0f);
+    }
+    for (std::size_t i = 0; i < sum.alpha.size(); ++i) {
+      sum.alpha[i] += share * layer.alpha[i];
+      sum.cover[i] += share * layer.cover[i];
+      for (std::size_t c = 0; c < 3; ++c) sum.colour[i][c] += share * layer.colour[i][c];
+    }
+  }
+  return lay_over(sum, frame, background, mask, revealed_margin_mm * face_scale_px(fit));
+}
+
+}  // namespace face::texture
