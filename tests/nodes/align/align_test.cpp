@@ -49,7 +49,7 @@ Landmarks true_start(const test::PhantomStream::Frame& frame) {
   Landmarks out;
   for (const Landmark& p : stream().marker_truth(frame).points)
     for (const Landmark& f : found.points)
-      if (std::hypot(p.x_px - f.x_px, p.y_px - f.y_px) < 0.3) {
+      if (p.x_px > 195 && p.x_px < 445 && std::hypot(p.x_px - f.x_px, p.y_px - f.y_px) < 0.3) {
         out.points.push_back(p);
         break;
       }
