@@ -4,7 +4,6 @@
 #include "engine/node.h"
 using namespace engine::declare;
 using namespace face::phantom;
-using Options = PatternImagesOptions;
 
 NODE("phantom.pattern_images", &pattern_images, version{1}, cheap{},
      doc{"The five raw pictures of one frame of a structured-light scanner, under shifted fringes, each at its own "
@@ -15,19 +14,22 @@ NODE("phantom.pattern_images", &pattern_images, version{1}, cheap{},
      input{"camera", "The scanner's camera"}, input{"projector", "The scanner's projector"},
      input{"dots", "Markers, moles and freckles"},
      input{"id", "The frame's id (seq.ids), which gives each frame its own noise"},
-     param("width_px", &Options::width_px, range{1, 4096}, unit{"px"}, "Width of the pictures"),
-     param("height_px", &Options::height_px, range{1, 4096}, unit{"px"}, "Height of the pictures"),
-     param("projector_width_px", &Options::projector_width_px, range{1, 4096}, unit{"px"},
+     param("width_px", &PatternImagesOptions::width_px, range{1, 4096}, unit{"px"}, "Width of the pictures"),
+     param("height_px", &PatternImagesOptions::height_px, range{1, 4096}, unit{"px"}, "Height of the pictures"),
+     param("projector_width_px", &PatternImagesOptions::projector_width_px, range{1, 4096}, unit{"px"},
            "Width of the projector's picture"),
-     param("projector_height_px", &Options::projector_height_px, range{1, 4096}, unit{"px"}, "Its height"),
-     param("fine_periods", &Options::fine_periods, range{1, 1024}, unit{"1"}, "Fringes over the projector's width"),
-     param("coarse_periods", &Options::coarse_periods, range{1, 64}, unit{"1"}, "Fringes that count the fine ones"),
-     param("exposure_step", &Options::exposure_step, range{0.0, 0.5}, unit{"1"},
+     param("projector_height_px", &PatternImagesOptions::projector_height_px, range{1, 4096}, unit{"px"}, "Its height"),
+     param("fine_periods", &PatternImagesOptions::fine_periods, range{1, 1024}, unit{"1"},
+           "Fringes over the projector's width"),
+     param("coarse_periods", &PatternImagesOptions::coarse_periods, range{1, 64}, unit{"1"},
+           "Fringes that count the fine ones"),
+     param("exposure_step", &PatternImagesOptions::exposure_step, range{0.0, 0.5}, unit{"1"},
            "Frames between two of the five pictures; 0: the head stands still meanwhile"),
-     param("exposure", &Options::exposure, range{0.01, 10.0}, unit{"1"},
+     param("exposure", &PatternImagesOptions::exposure, range{0.01, 10.0}, unit{"1"},
            "Grey of a white surface that faces the projector, of 1"),
-     param("ambient", &Options::ambient, range{0.0, 10.0}, unit{"1"}, "Light beside the projector's, which is 1"),
-     param("grey_noise", &Options::grey_noise, range{0.0, 64.0}, unit{"1"},
+     param("ambient", &PatternImagesOptions::ambient, range{0.0, 10.0}, unit{"1"},
+           "Light beside the projector's, which is 1"),
+     param("grey_noise", &PatternImagesOptions::grey_noise, range{0.0, 64.0}, unit{"1"},
            "Standard deviation of the pictures, in steps of 8 bits; 0 switches it off"),
-     param("seed", &Options::seed, range{0, 1000000}, unit{"1"}, "Another seed is other noise"),
+     param("seed", &PatternImagesOptions::seed, range{0, 1000000}, unit{"1"}, "Another seed is other noise"),
      output("images", "The five pictures, grey, proportional to light"));

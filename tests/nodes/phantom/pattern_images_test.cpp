@@ -11,7 +11,6 @@
 #include "nodes/phantom/scan_frame.h"
 #include "tests/nodes/phantom/head_probe.h"
 #include "tests/nodes/phantom/plain_rigs.h"
-#include "tests/support/expect_throw_text.h"
 
 namespace face::phantom {
 namespace {
@@ -154,25 +153,6 @@ TEST(PatternImages, OfAMovingPlaneDecodeToItsDepthAtTheMiddle) {
   // 0.4 mm per picture: the ripple that scan_frame's parameter states as half of that, times a sine.
   EXPECT_GT(plain::spread_of(errors).deviation, 0.1);
   EXPECT_LT(plain::spread_of(errors).deviation, 0.4);
-}
-
-TEST(StructuredLight, NeedsFiveImagesOfASize) {
-  const Scanner at = scanner();
-  EXPECT_THROW_TEXT(decode::structured_light(engine::Seq<Image>(std::vector<Image>(4)), at.camera, at.projector),
-                    "there are 4 pattern images, expected 5");
-  std::vector<Image> images(5, Image{2, 1, 1, {0, 0}});
-  images[3] = {1, 1, 1, {0}};
-  EXPECT_THROW_TEXT(decode::structured_light(engine::Seq<Image>(std::move(images)), at.camera, at.projector),
-                    "pattern image 3 is 1 x 1 x 1, expected 2 x 1 x 1");
-}
-
-TEST(StructuredLight, MeasuresNothingInTheDarkAndWhereItIsTooBright) {
-  const Scanner at = scanner();
-  for (const int level : {3, 255}) {
-    std::vector<Image> images(5, Image{8, 8, 1, std::vector<std::uint8_t>(64, static_cast<std::uint8_t>(level))});
-    const DepthScan scan = decode::structured_light(engine::Seq<Image>(std::move(images)), at.camera, at.projector);
-    for (const float depth : scan.depth_mm) EXPECT_EQ(depth, 0);
-  }
 }
 
 }  // namespace
