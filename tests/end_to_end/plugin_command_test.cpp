@@ -24,7 +24,7 @@ class PluginCommand : public test::CommandTest {
         "loud": {"node": "toy.upper", "inputs": {"text": "joined"}, "params": {"mode": "${mode}"}},
         "file": {"node": "toy.write_text", "inputs": {"text": "loud"}}
       },
-      "outputs": {"said.txt": "file"}
+      "outputs": {"repeated.txt": "file"}
     })");
     write("word.txt", "yes");
   }
@@ -34,16 +34,16 @@ class PluginCommand : public test::CommandTest {
 TEST_F(PluginCommand, RunsItsGraphWithParametersAsOptions) {
   const test::Ended ended = say({"repeat-text", "--text", "word.txt", "--out", "here"});
   EXPECT_EQ(ended.code, 0) << ended.output;
-  EXPECT_EQ(read("here/said.txt").substr(0, 3), "YES");
+  EXPECT_EQ(read("here/repeated.txt").substr(0, 3), "YES");
   EXPECT_EQ(say({"repeat-text", "--text=word.txt", "--how-often", "3", "--mode=lower", "--out", "here"}).code, 0);
-  EXPECT_EQ(read("here/said.txt").find("yes"), 0u);
-  EXPECT_NE(read("here/said.txt").rfind("yes"), read("here/said.txt").find("yes"));
+  EXPECT_EQ(read("here/repeated.txt").find("yes"), 0u);
+  EXPECT_NE(read("here/repeated.txt").rfind("yes"), read("here/repeated.txt").find("yes"));
 }
 
 TEST_F(PluginCommand, CallsItsOnlyOutputAsTheFileThatIsGiven) {
   EXPECT_EQ(say({"repeat-text", "--text", "word.txt", "--out", "loud.txt", "--quiet"}).code, 0);
   EXPECT_EQ(read("loud.txt").substr(0, 3), "YES");
-  EXPECT_FALSE(exists("said.txt"));
+  EXPECT_FALSE(exists("repeated.txt"));
 }
 
 TEST_F(PluginCommand, IsListedAndExplained) {
