@@ -61,7 +61,8 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
 std::string jpeg_url(const Image& image, int quality) {
   cv::Mat picture(image.height, image.width, CV_8UC(image.channels),
                   const_cast<std::uint8_t*>(image.pixels.data()));  // only read
-  cv::Mat bgr = picture;
+  cv::Mat bgr;  // of its own: a copy of the header would be converted in place
+  if (image.channels == 1) bgr = picture;
   if (image.channels == 3) cv::cvtColor(picture, bgr, cv::COLOR_RGB2BGR);
   if (image.channels == 4) cv::cvtColor(picture, bgr, cv::COLOR_RGBA2BGR);
   std::vector<std::uint8_t> bytes;
