@@ -16,7 +16,10 @@ KeyShapes gather_key_shapes(const engine::Seq<Landmarks>& tracks, const Matrix& 
     const double row = exemplars.values[k];
     check(row >= 0 && row < static_cast<double>(frames.values.size()), "exemplars holds ", row,
           ", expected a number below ", frames.values.size());
-    const auto frame = static_cast<std::size_t>(frames.values[static_cast<std::size_t>(row)]);
+    const double at = frames.values[static_cast<std::size_t>(row)];
+    check(at >= 0 && at < static_cast<double>(tracks.size()), "frames holds ", at, ", expected a number below ",
+          tracks.size());
+    const auto frame = static_cast<std::size_t>(at);
     KeyShape key{tracks.id(frame), 0, *tracks.at(frame)};
     key.size = std::count(labels.values.begin(), labels.values.end(), static_cast<double>(k));
     keys.shapes.push_back(std::move(key));

@@ -18,6 +18,24 @@ std::size_t free_count(const MeshSpace& space) {
   return space.column_starts.empty() ? 0 : space.column_starts.size() - 1;
 }
 
+void check_space(const MeshSpace& space) {
+  const auto vertices = static_cast<std::size_t>(space.vertex_count);
+  const std::size_t numbers = tile_count(space) * tile_lanes, count = free_count(space);
+  std::size_t parts = 0;
+  for (const std::uint32_t part : space.component)
+    parts = part + std::size_t{1} > parts ? part + std::size_t{1} : parts;
+  bool fits = space.triangles.size() % 3 == 0 && space.frames.size() == 6 * numbers &&
+              space.gradients.size() == 4 * numbers && space.component.size() == vertices &&
+              space.order.size() == vertices && space.blends.size() == 9 * numbers * space.example_count &&
+              space.centroids_mm.size() == 3 * parts * (1 + space.example_count) && !space.column_starts.empty() &&
+              space.rows.size() == space.values.size() && space.column_starts.back() == space.values.size();
+  for (const std::uint32_t v : space.triangles) fits = fits && v < vertices;
+  for (const std::uint32_t v : space.order) fits = fits && v <= vertices;
+  for (const std::uint32_t row : space.rows) fits = fits && row < count;
+  for (std::size_t j = 0; fits && j < count; ++j) fits = space.column_starts[j] < space.column_starts[j + 1];
+  check(fits, "the parts of the mesh space do not fit together, expected one from meshik.prepare");
+}
+
 void factor_space(MeshSpace& space) {
   const auto vertices = static_cast<std::size_t>(space.vertex_count);
   // Free vertices in their own order.

@@ -11,6 +11,9 @@ namespace face::meshik {
 // Cholesky with approximate minimum degree ordering; the first vertex of every part is pinned.
 void factor_space(MeshSpace& space);
 
+// Throws where the parts of a space do not fit together, as those that prepare() makes do.
+void check_space(const MeshSpace& space);
+
 // Vertices of the factor: all but the pinned ones.
 std::size_t free_count(const MeshSpace& space);
 

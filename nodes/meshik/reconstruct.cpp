@@ -29,6 +29,7 @@ std::vector<double> reconstruct_vertices(const MeshSpace& space, const std::vect
 }
 
 MeshPoints reconstruct(const MeshSpace& space, const Weights& weights) {
+  check_space(space);
   std::vector<double> values(weights.values.begin(), weights.values.end());
   check(values.size() <= space.example_count, "there are ", values.size(), " weights, expected at most ",
         space.example_count, ", one per example");

@@ -11,8 +11,20 @@
 #include "nodes/meshik/reconstruct.h"
 
 namespace face::meshik {
+namespace {
+
+void check_numbers(const Matrix& matrix, const char* name) {
+  check(matrix.values.size() == matrix.rows * matrix.columns, name, " holds ", matrix.values.size(),
+        " numbers, expected ", matrix.rows, " x ", matrix.columns);
+}
+
+}  // namespace
 
 Matrix reconstruct_matrix(const Matrix& reference, const Matrix& examples, const Matrix& faces, const Matrix& weights) {
+  check_numbers(reference, "reference");
+  check_numbers(examples, "examples");
+  check_numbers(faces, "faces");
+  check_numbers(weights, "weights");
   check(reference.columns == 3, "reference has ", reference.columns, " columns, expected x, y, z");
   check(faces.columns == 3 || faces.columns == 4, "faces has ", faces.columns, " columns, expected 3 or 4 vertices");
   const std::size_t size = reference.values.size();

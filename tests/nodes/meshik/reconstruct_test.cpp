@@ -208,6 +208,8 @@ TEST(ReconstructMatrix, TakesOneFrameAsAColumnAndManyAsRows) {
   EXPECT_EQ(one.values, reconstruct_vertices(space_of(sheet), {0, 0.5, 0}));
   EXPECT_THROW_TEXT(reconstruct_matrix(reference, examples, faces, {2, 2, {0, 0, 0, 0}}),
                     "weights is 2 x 2, expected T x 3 as there are examples");
+  EXPECT_THROW_TEXT(reconstruct_matrix(reference, examples, faces, {2, 3, {}}),
+                    "weights holds 0 numbers, expected 2 x 3");
   faces.values[4] = 30;
   EXPECT_THROW_TEXT(reconstruct_matrix(reference, examples, faces, {1, 3, {0, 0, 0}}),
                     "face 1 has vertex 30, expected a whole number from 0 to 29");

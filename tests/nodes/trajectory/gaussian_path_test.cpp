@@ -48,6 +48,7 @@ TEST(GaussianPath, LeavesValuesOfInfiniteVarianceFree) {
 TEST(GaussianPath, RejectsShapesThatDifferAndVariancesThatAreNone) {
   EXPECT_THROW_TEXT(gaussian_path({2, 1, {0, 0}}, {1, 2, {1, 1}}),
                     "means is 2 x 1, variances is 1 x 2, expected the same shape");
+  EXPECT_THROW_TEXT(gaussian_path({2, 1, {0}}, {2, 1, {1, 1}}), "means has 1 values, expected 2 x 1");
   EXPECT_THROW_TEXT(gaussian_path({2, 1, {0, 0}}, {2, 1, {1, 0}}),
                     "variances holds 0 in row 1 column 0, expected more than 0");
   EXPECT_THROW_TEXT(gaussian_path({1, 2, {0, std::nan("")}}, {1, 2, {1, 1}}),
