@@ -158,4 +158,11 @@ Landmarks link_markers(const Landmarks& markers, const Landmarks& reference, con
   return linked;
 }
 
+Landmarks first_layout(const engine::Seq<Landmarks>& layouts) {
+  Landmarks best;
+  for (const Landmarks& layout : layouts)
+    if (layout.points.size() > best.points.size()) best = layout;
+  return best;
+}
+
 }  // namespace face::align

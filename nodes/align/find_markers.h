@@ -31,4 +31,7 @@ struct LinkMarkersOptions {
 // marker within tolerance_px that has no nearer one. Markers without a partner are left out.
 Landmarks link_markers(const Landmarks& markers, const Landmarks& reference, const LinkMarkersOptions& options = {});
 
+// The constellation whose names all takes get: the first of those with the most markers.
+Landmarks first_layout(const engine::Seq<Landmarks>& layouts);
+
 }  // namespace face::align

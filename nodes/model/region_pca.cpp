@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/region_pca.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/check.h"
+
+namespace face::model {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights, const RegionPcaOptions& options) {
+  const std::size_t count = shapes.size();
+  check(count >= 2, "shapes has ", count, " examples, expected at least 2");
+  const std::size_t vertices = shapes.at(0)->points_mm.size(), size = 3 * vertices;
+  if (weights) {
+    check(weights->values.size() == vertices, "weights has ", weights->values.size(), " values, shapes have ", vertices,
+          " points");
+    for (const double w : weights->values) check(w >= 0, "weights has ", w, ", expected none below 0");
+  }
+  const auto m = static_cast<Eigen::Index>(count), n = static_cast<Eigen::Index>(size);
+  RowMatrix x(m, n);
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto shape = shapes.at(j);
+    check(shape->points_mm.size() == vertices, "shape ", shapes.id(j), " has ", shape->points_mm.size(), " points, ",
+          shapes.id(0), " has ", vertices);
+    for (std::size_t v = 0; v < vertices; ++v)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double value = static_cast<double>(shape->points_mm[v][k]);
+        check(std::isfinite(value), "shape ", shapes.id(j), " has a point ", v, " that is not finite");
+        x(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(3 * v + k)) = value;
+      }
+  }
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  x.rowwise() -= mean;
+  // Columns of the region alone, scaled: the Gram matrix costs m^2 x their number.
+  std::vector<Eigen::Index> region;
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (!weights || weights->values[v] > 0)
+      for (std::size_t k = 0; k < 3; ++k) region.push_back(static_cast<Eigen::Index>(3 * v + k));
+  const auto root = [&](Eigen::Index column) {
+    return weights ? std::sqrt(weights->values[static_cast<std::size_t>(column / 3)]) : 1.0;
+  };
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
+  constexpr std::size_t block = 1024;
+  for (std::size_t start = 0; start < region.size(); start += block) {
+    const std::size_t end = std::min(region.size(), start + block);
+    Eigen::MatrixXd part(m, static_cast<Eigen::Index>(end - start));
+    for (std::size_t c = start; c < end; ++c)
+      part.col(static_cast<Eigen::Index>(c - start)) = root(region[c]) * x.col(region[c]);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(part);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  const Eigen::VectorXd& values = solver.eigenvalues();
+  const double largest = std::sqrt(std::max(values(m - 1), 0.0));
+  const auto wanted = std::min<Eigen::Index>(options.components, m);
+  std::vector<double> w;
+  for (Eigen::Index i = 0; i < wanted; ++i) {
+    const double root_value = std::sqrt(std::max(values(m - 1 - i), 0.0));
+    if (!(root_value > options.least_sigma * largest) || !(root_value > 0)) break;
+    w.push_back(root_value);
+  }
+  const auto k = static_cast<Eigen::Index>(w.size());
+  ShapeModel model;
+  model.vertices = vertices;
+  model.mean_mm.assign(mean.data(), mean.data() + n);
+  model.modes.resize(static_cast<std::size_t>(k * n));
+  model.projections.assign(static_cast<std::size_t>(k * n), 0.0);
+  Eigen::MatrixXd right(m, k);  // v~_i / w~_i
+  for (Eigen::Index i = 0; i < k; ++i)
+    right.col(i) = solver.eigenvectors().col(m - 1 - i) / w[static_cast<std::size_t>(i)];
+  Eigen::Map<RowMatrix> modes(model.modes.data(), k, n), projections(model.projections.data(), k, n);
+  modes.noalias() = right.transpose() * x;
+  // u~_i = D^(1/2) u_i, and a_i = u~_i . D^(1/2) x: the projection of a full face is D u_i.
+  for (Eigen::Index c = 0; c < n; ++c) {
+    const double d = weights ? weights->values[static_cast<std::size_t>(c / 3)] : 1.0;
+    if (d > 0) projections.col(c) = d * modes.col(c);
+  }
+  for (Eigen::Index i = 0; i < k; ++i) {
+    Eigen::Index at = 0;
+    projections.row(i).cwiseAbs().maxCoeff(&at);
+    if (projections(i, at) < 0) {
+      projections.row(i) *= -1;
+      modes.row(i) *= -1;
+    }
+    model.sigmas_mm.push_back(w[static_cast<std::size_t>(i)] / std::sqrt(static_cast<double>(m)));
+  }
+  return model;
+}
+
+std::vector<double> coefficients_of(const ShapeModel& model, const std::vector<double>& shape_mm) {
+  check(shape_mm.size() == 3 * model.vertices, "shape has ", shape_mm.size() / 3, " points, the model ",
+        model.vertices);
+  const auto n = static_cast<Eigen::Index>(shape_mm.size()), k = static_cast<Eigen::Index>(model.size());
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(shape_mm.data(), n) -
+                            Eigen::Map<const Eigen::VectorXd>(model.mean_mm.data(), n);
+  std::vector<double> out(model.size());
+  const Eigen::Map<const RowMatrix> projections(model.projections.data(), k, n);
+  Eigen::Map<Eigen::VectorXd>(out.data(), k) = projections * x;
+  return out;
+}
+
+std::vector<double> shape_of(const ShapeModel& model, const std::vector<double>& coefficients, double amplify) {
+  check(coefficients.size() <= model.size(), "coefficients has ", coefficients.size(), " values, the model ",
+        model.size(), " components");
+  const auto n = static_cast<Eigen::Index>(3 * model.vertices), k = static_cast<Eigen::Index>(coefficients.size());
+  std::vector<double> out = model.mean_mm;
+  const Eigen::Map<const RowMatrix> modes(model.modes.data(), k, n);
+  Eigen::Map<Eigen::VectorXd>(out.data(), n) +=
+      amplify * (modes.transpose() * Eigen::Map<const Eigen::VectorXd>(coefficients.data(), k));
+  return out;
+}
+
+Weights project_shape(const ShapeModel& model, const MeshPoints& shape) {
+  std::vector<double> x;
+  for (const Vec3f& p : shape.points_mm)
+    for (const float value : p) x.push_back(static_cast<double>(value));
+  const std::vector<double> coefficients = coefficients_of(model, x);
+  return {std::vector<float>(coefficients.begin(), coefficients.end())};
+}
+
+MeshPoints rebuild_shape(const ShapeModel& model, const Weights& coefficients, const RebuildShapeOptions& options) {
+  const std::vector<double> x =
+      shape_of(model, std::vector<double>(coefficients.values.begin(), coefficients.values.end()), options.amplify);
+  MeshPoints out;
+  for (std::size_t v = 0; v < model.vertices; ++v)
+    out.points_mm.push_back(
+        {static_cast<float>(x[3 * v]), static_cast<float>(x[3 * v + 1]), static_cast<float>(x[3 * v + 2])});
+  return out;
+}
+
+Rig model_rig(const ShapeModel& model, const Mesh& mesh, const ModelRigOptions& options) {
+  check(mesh.points_mm.size() == model.vertices, "mesh has ", mesh.points_mm.size(), " points, the model ",
+        model.vertices);
+  Rig rig;
+  rig.neutral = mesh;
+  rig.neutral.points_mm = rebuild_shape(model, {}).points_mm;
+  const std::size_t count = std::min(model.size(), static_cast<std::size_t>(options.components));
+  for (std::size_t k = 0; k < count; ++k) {
+    Shape shape{"pc_" + std::to_string(k + 1), {}, {}};
+    const double scale = options.in_sigmas ? model.sigmas_mm[k] : 1;
+    const double* mode = model.modes.data() + k * 3 * model.vertices;
+    for (std::size_t v = 0; v < model.vertices; ++v) {
+      shape.vertices.push_back(static_cast<std::uint32_t>(v));
+      shape.offsets_mm.push_back({static_cast<float>(scale * mode[3 * v]), static_cast<float>(scale * mode[3 * v + 1]),
+                                  static_cast<float>(scale * mode[3 * v + 2])});
+    }
+    rig.shapes.push_back(std::move(shape));
+  }
+  return rig;
+}
+
+}  // namespace face::model
