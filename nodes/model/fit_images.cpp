@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "nodes/base/check.h"
@@ -23,7 +24,10 @@ using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.12;
 constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
                                                   0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
-constexpr double overlap_sigma_mm = 0.3;
+constexpr double overlap_sigma_mm = 0.3, closed_sigma_mm = 0.1;
+constexpr double narrow_gap_mm = 3;     // up to which an open mouth is doubted
+constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
+constexpr int closing_steps = 8;
 constexpr double extreme_share = 0.45;
 constexpr int light_steps = 6;
 
@@ -42,6 +46,7 @@ struct Picture {
   std::array<double, 7> start_pose{};
   double log_focal = 7;
   double eyes_px = 100;
+  bool closed = false;  // the mouth is held closed
 };
 
 struct Joint {
@@ -151,9 +156,11 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
       const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(joint.basis.expressions));
       double gap = 0;
       for (std::size_t k = 0; k < joint.basis.expressions; ++k) gap += row[k] * picture.state.expression[k];
-      const double sigma = gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
+      const double sigma = picture.closed ? closed_sigma_mm : gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
+      const double wide = gap / sigma;
       const double weight =
-          1 / (sigma * sigma) / (gap < 0 ? 1 : 1 + std::pow(gap / sigma, 2));  // an open mouth is not pulled at
+          1 / (sigma * sigma) /
+          (picture.closed || gap < 0 ? 1.0 : static_cast<double>(joint.gaps.size()) * (1 + wide * wide));
       normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
       normal.b.segment(expression, g.size()) -= weight * gap * g;
     }
@@ -217,6 +224,41 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
   }
   add_priors(joint, frozen, normal);
   apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
+}
+
+// Robust difference of a picture and the model (Geman and McClure's cost, mean over fixed random points).
+double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level) {
+  Random random(static_cast<std::uint64_t>(joint.options.seed), 78);
+  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo),
+                                    joint.pictures[index].state, level, {0, 0, 0, false}, 6000, random);
+  double sum = 0;
+  for (const float r : rows.residual) {
+    const double u = r / (2.5 * least_noise);
+    sum += u * u / (1 + u * u);
+  }
+  return rows.residual.empty() ? 0 : sum / static_cast<double>(rows.residual.size());
+}
+
+// A slightly open mouth may be a closed one with lips of another colour: where closing it costs next to nothing, it is
+// closed.
+void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, Random& random, Joint& joint) {
+  if (joint.gaps.empty()) return;
+  Joint closed = joint;
+  bool any = false;
+  for (Picture& picture : closed.pictures) {
+    double gap = 0;
+    for (const std::vector<double>& row : closed.gaps)
+      for (std::size_t k = 0; k < closed.basis.expressions; ++k)
+        gap += row[k] * picture.state.expression[k] / static_cast<double>(closed.gaps.size());
+    picture.closed = gap < narrow_gap_mm;
+    any = any || picture.closed;
+  }
+  if (!any) return;
+  for (int i = 0; i < closing_steps; ++i) step(closed, levels, stage, false, random);
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m)
+    if (closed.pictures[m].closed && image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]))
+      return;
+  joint = std::move(closed);
 }
 
 // What the fit is worth, and what is wrong with it.
@@ -321,6 +363,7 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
       for (int i = 0; i < light_steps; ++i) step(joint, levels, stage, true, random);
     for (std::int64_t i = 0; i < options.steps; ++i) step(joint, levels, stage, false, random);
   }
+  close_mouths(levels, stages[std::size(stages) - 1], random, joint);
   for (std::size_t m = 0; m < fits.size(); ++m) {
     FaceFit& fit = fits[m];
     const PictureState& state = joint.pictures[m].state;
