@@ -50,8 +50,9 @@ TEST_F(Phantom, ScanStreamIsMadeAndIsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(files("one_out") == files("two_out"));
   std::vector<std::string> names;
   for (const auto& [name, bytes] : files("one_out")) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"phones/1.json", "phones/2.json", "scans/1.mp4", "scans/2.mp4",
-                                             "weights/1.csv", "weights/2.csv"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"phones/1.json", "phones/2.json", "scans/1.mp4", "scans/2.mp4", "weights/1.csv",
+                                      "weights/2.csv", "world_from_head/1.npy", "world_from_head/2.npy"}));
   const Ended other =
       run_in("one", "phantom/scan_stream_tiny.json", tiny + Words{"--out", "other_out", "--set", "seed=2"});
   ASSERT_EQ(other.code, 0);
