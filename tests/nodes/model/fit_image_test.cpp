@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/fit_image.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/mouth.h"
+#include "nodes/base/pose.h"
+#include "nodes/model/fit_images.h"
+#include "nodes/model/skin_basis.h"
+#include "nodes/phantom/make_person.h"
+#include "tests/nodes/model/material.h"
+#include "tests/support/expect_throw_text.h"
+
+using namespace face;
+using namespace face::model;
+
+namespace {
+
+struct Shot {
+  Rig person;
+  test::Scene scene;
+  Image picture;
+  Landmarks points;
+};
+
+// A person who is not in the model, with highlight, shadow, gamma and grain.
+Shot shoot(std::int64_t person_seed, double yaw_deg) {
+  static const ShapeSet modes = phantom::identity_modes({.with_hair = false});
+  Shot shot;
+  shot.person = phantom::make_person(test::head(), &modes, nullptr, {.seed = person_seed, .warp_mm = 0.7}).person;
+  shot.scene = test::make_scene(yaw_deg);
+  Weights rest;
+  rest.values.assign(test::head().shapes.size(), 0.0f);
+  shot.picture =
+      phantom::video_frame(shot.person, rest, &shot.scene.world_from_head, shot.scene.camera, shot.scene.lighting,
+                           nullptr, nullptr, nullptr, {.width_px = 480, .height_px = 480});
+  shot.points = test::points_of(shot.scene, shot.person.neutral.points_mm, 0.7);
+  return shot;
+}
+
+TEST(FitImage, FindsPoseAndAClosedMouthOfAPersonOutsideTheModel) {
+  for (const double yaw_deg : {0.0, 25.0}) {
+    const Shot shot = shoot(31, yaw_deg);
+    const FaceFit fit = fit_image(test::head_model(), shot.picture, shot.points);
+    EXPECT_TRUE(fit.converged) << fit.problem;
+    EXPECT_LT(std::abs(fit.lip_gap_mm), 1.5) << yaw_deg;
+    EXPECT_LT(test::turn_error_deg(fit.camera, shot.scene), 5.0)
+        << yaw_deg;  // before any alignment of the head's frame
+    EXPECT_LT(fit.image_rms, 0.02);
+  }
+}
+
+TEST(FitImage, IsTheSameTwice) {
+  const Shot shot = shoot(33, -15);
+  const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points, {.steps = 3});
+  const FaceFit b = fit_image(test::head_model(), shot.picture, shot.points, {.steps = 3});
+  EXPECT_EQ(a.identity, b.identity);
+  EXPECT_EQ(a.camera.cam_from_world, b.camera.cam_from_world);
+  EXPECT_EQ(a.light.ambient, b.light.ambient);
+}
+
+TEST(FitImages, SharesIdentityAndAlbedoAmongPicturesOfOnePerson) {
+  const Shot front = shoot(34, 0), side = shoot(34, 30);
+  const std::vector<FaceFit> fits =
+      fit_pictures(test::head_model(), {&front.picture, &side.picture}, {&front.points, &side.points}, {.steps = 4});
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_EQ(fits[0].identity, fits[1].identity);
+  EXPECT_EQ(fits[0].albedo, fits[1].albedo);
+  EXPECT_LT(test::turn_error_deg(fits[1].camera, side.scene), 6.0);
+  EXPECT_LT(test::turn_error_deg(fits[0].camera, front.scene), 6.0);
+}
+
+TEST(FitImage, DoesNotSeeAFaceInADarkPicture) {
+  const Shot shot = shoot(35, 0);
+  const FaceFit fit = fit_image(test::head_model(), test::blank(480, 480, 2), shot.points, {.steps = 3});
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.problem, "100 % of the face is all but black: use a picture with more light");
+}
+
+TEST(FitImage, DoesNotSeeAFaceInAnOverexposedPicture) {
+  const Shot shot = shoot(35, 0);
+  const FaceFit fit = fit_image(test::head_model(), test::blank(480, 480, 255), shot.points, {.steps = 3});
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.problem, "100 % of the face is overexposed: use a picture with less or softer light");
+}
+
+TEST(FitImage, DoesNotSeeAFaceInNoise) {
+  const Shot shot = shoot(35, 0);
+  Image noise = test::blank(480, 480);
+  Random random(1);
+  for (std::uint8_t& value : noise.pixels) value = static_cast<std::uint8_t>(random.uniform(0, 255));
+  for (int y = 0; y < 480; ++y)  // in blocks, or the pyramid would even it out
+    for (int x = 0; x < 480; ++x)
+      for (int c = 0; c < 3; ++c)
+        noise.pixels[static_cast<std::size_t>((y * 480 + x) * 3 + c)] =
+            noise.pixels[static_cast<std::size_t>((y / 24 * 24 * 480 + x / 24 * 24) * 3 + c)];
+  const FaceFit fit = fit_image(test::head_model(), noise, shot.points, {.steps = 3});
+  EXPECT_FALSE(fit.converged);
+  EXPECT_NE(fit.problem.find("is there a face at the points?"), std::string::npos) << fit.problem;
+}
+
+TEST(FitImages, SaysThatPointsOfAnotherPictureSpoilAll) {
+  const Shot shot = shoot(35, 0);
+  Landmarks few = shot.points;
+  few.points.resize(3);
+  const std::vector<FaceFit> fits =
+      fit_pictures(test::head_model(), {&shot.picture, &shot.picture}, {&shot.points, &few}, {.steps = 1});
+  EXPECT_FALSE(fits[0].converged);
+  EXPECT_EQ(fits[0].problem, "the points of another picture of this person could not be used");
+  EXPECT_FALSE(fits[1].problem.empty());
+}
+
+TEST(FitImages, RejectsUnequalCounts) {
+  const Image picture = test::blank(10, 10);
+  EXPECT_THROW_TEXT(fit_pictures(test::head_model(), {&picture}, {}, {}), "there are 1 pictures and 0 sets of points");
+}
+
+}  // namespace

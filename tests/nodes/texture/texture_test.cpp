@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/pose.h"
+#include "nodes/model/face_pose.h"
+#include "nodes/model/pose_model.h"
+#include "nodes/model/track_video.h"
+#include "nodes/texture/continue_background.h"
+#include "nodes/texture/draw_face.h"
+#include "nodes/texture/extract.h"
+#include "nodes/texture/face_mask.h"
+#include "nodes/texture/fill_ratio.h"
+#include "nodes/texture/neutralise.h"
+#include "nodes/texture/reanimate.h"
+#include "nodes/texture/render_into.h"
+#include "nodes/texture/reveal_background.h"
+#include "tests/nodes/model/material.h"
+#include "tests/support/expect_throw_text.h"
+
+using namespace face;
+using namespace face::texture;
+
+namespace {
+
+// A fit that is the truth: the mean head before a camera, turned by yaw.
+FaceFit true_fit(double yaw_deg) {
+  const test::Scene scene = test::make_scene(yaw_deg, 320, 320);
+  FaceFit fit;
+  const Vec3f centre = model::turning_point(test::head_model());
+  model::FacePose pose = model::pose_of(scene.camera, {0, 0, 0});
+  for (std::size_t i = 0; i < 9; ++i) pose.rotation[i] = scene.world_from_head.rotation[i];
+  fit.camera = model::camera_of(pose);
+  (void)centre;
+  fit.image_width_px = fit.image_height_px = 320;
+  fit.identity.assign(test::head_model().identity.size(), 0.0f);
+  fit.albedo.assign(test::head_model().albedo.size(), 0.0f);
+  fit.expression.assign(test::head_model().expression.size(), 0.0f);
+  fit.light.ambient = {0.5f, 0.45f, 0.4f};
+  fit.light.parallel = {0.6f, 0.6f, 0.6f};
+  fit.light.direction = {0.3f, 0.3f, 0.9055f};
+  fit.light.contrast = 0.95f;
+  fit.light.offset = {0.01f, 0.01f, 0.02f};
+  fit.converged = true;
+  return fit;
+}
+
+Weights rest() {
+  Weights weights;
+  weights.values.assign(test::head().shapes.size(), 0.0f);
+  return weights;
+}
+
+Weights open_mouth(float jaw) {
+  Weights weights = rest();
+  for (std::size_t s = 0; s < weights.values.size(); ++s)
+    if (test::head().shapes[s].name == "jawOpen") weights.values[s] = jaw;
+  return weights;
+}
+
+// A map of one colour with stripes.
+AlbedoMap striped_map() {
+  AlbedoMap map;
+  map.width = map.height = 512;
+  map.weight.assign(512 * 512, 1.0f);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 512; ++x)
+      map.albedo.push_back({0.45f + 0.1f * std::sin(0.1f * static_cast<float>(y)), 0.3f,
+                            0.2f + 0.05f * std::sin(0.12f * static_cast<float>(x))});
+  return map;
+}
+
+// That face drawn by these nodes themselves.
+Image drawn(const FaceFit& fit, const AlbedoMap& map, const Weights& weights) {
+  const Image paper = test::blank(320, 320, 90);
+  Rig person = test::head();
+  person.landmarks68.clear();  // drawn whole
+  return lay_over(draw_face(person, map, pose_points(person, weights), fit, 3), paper, paper,
+                  face_mask(test::head_model(), fit), 1);
+}
+
+TEST(Extract, GetsBackTheColoursThatWereDrawn) {
+  const FaceFit fit = true_fit(10);
+  const AlbedoMap truth = striped_map();
+  const AlbedoMap found = extract(test::head_model(), drawn(fit, truth, rest()), fit, {.size_px = 512});
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < found.weight.size(); ++i)
+    if (found.weight[i] > 0.5f)
+      for (std::size_t c = 0; c < 3; ++c) errors.push_back(std::abs(found.albedo[i][c] - truth.albedo[i][c]));
+  ASSERT_GT(errors.size(), 3000u);
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 0.012);  // 8 bits and one resampling
+}
+
+TEST(Extract, TakesWhatIsNotSeenFromTheModel) {
+  const FaceFit fit = true_fit(40);
+  const AlbedoMap found = extract(test::head_model(), drawn(fit, striped_map(), rest()), fit, {.size_px = 256});
+  std::size_t seen = 0, hidden = 0;
+  for (std::size_t i = 0; i < found.weight.size(); ++i) {
+    if (found.weight[i] > 0.1f) ++seen;
+    if (found.weight[i] == 0 && found.albedo[i][0] > 0) {
+      ++hidden;
+      EXPECT_TRUE(std::isfinite(found.albedo[i][0]));
+    }
+  }
+  EXPECT_GT(seen, 1000u);
+  EXPECT_GT(hidden, 1000u);
+}
+
+TEST(Extract, RejectsAPictureOfAnotherSize) {
+  EXPECT_THROW_TEXT(extract(test::head_model(), test::blank(10, 10), true_fit(0)),
+                    "the picture is 10 x 10 pixels, the fit was made on 320 x 320");
+}
+
+TEST(RenderInto, GivesThePictureBackWhereTheFaceIsAsItWas) {
+  const FaceFit fit = true_fit(5);
+  const Image picture = drawn(fit, striped_map(), rest());
+  const AlbedoMap map = extract(test::head_model(), picture, fit);
+  const Rig person = neutralise(test::head_model(), test::head(), fit, map);
+  const Image again = render_into(test::head_model(), person, map, fit, picture, nullptr, nullptr);
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    sum += std::abs(int{picture.pixels[i]} - int{again.pixels[i]});
+  EXPECT_LT(sum / static_cast<double>(picture.pixels.size()), 1.0);  // grey levels
+}
+
+TEST(RenderInto, LeavesEyesAndBackgroundToThePicture) {
+  const FaceFit fit = true_fit(0);
+  const Image picture = drawn(fit, striped_map(), rest());
+  const AlbedoMap map = extract(test::head_model(), picture, fit);
+  const Rig person = neutralise(test::head_model(), test::head(), fit, map);
+  const Weights open = open_mouth(0.6f);
+  const Image other = render_into(test::head_model(), person, map, fit, picture, nullptr, &open);
+  std::size_t changed = 0;
+  for (int y = 0; y < 320; ++y)
+    for (int x = 0; x < 320; ++x) {
+      const std::size_t i = 3 * static_cast<std::size_t>(y * 320 + x);
+      const bool differs = !std::equal(&picture.pixels[i], &picture.pixels[i] + 3, &other.pixels[i]);
+      changed += differs;
+      if (y < 110) {
+        EXPECT_FALSE(differs) << x << ", " << y;  // eyes and above
+      }
+    }
+  EXPECT_GT(changed, 1000u);
+}
+
+TEST(Neutralise, TakesTheExpressionOut) {
+  FaceFit fit = true_fit(0);
+  fit.expression[0] = 1.5f;
+  fit.identity[2] = 1.0f;
+  const Rig person = neutralise(test::head_model(), test::head(), fit, striped_map());
+  EXPECT_EQ(person.neutral.points_mm, model::pose_model(test::head_model(), fit.identity, {}));
+  EXPECT_EQ(person.shapes.size(), test::head().shapes.size());
+}
+
+TEST(ContinueBackground, ReflectsTheStripeAtTheContour) {
+  // A face that is the right half of the picture; the left half is a ramp.
+  Image picture = test::blank(64, 32), mask = picture;
+  mask.channels = 1;
+  mask.pixels.assign(64 * 32, 0);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const auto i = static_cast<std::size_t>(y * 64 + x);
+      if (x >= 32) mask.pixels[i] = 255;
+      for (std::size_t c = 0; c < 3; ++c) picture.pixels[3 * i + c] = static_cast<std::uint8_t>(x < 32 ? 4 * x : 250);
+    }
+  FaceFit fit;
+  fit.camera.focal_px = 600;
+  fit.camera.position_mm = {0, 0, 600};  // 1 px/mm
+  const Image result = continue_background(picture, mask, fit, {.stripe_mm = 8, .margin_mm = 0});
+  for (int x = 32; x < 39; ++x)  // pixel 32 + k mirrors at 31
+    EXPECT_EQ(result.pixels[static_cast<std::size_t>(3 * (16 * 64 + x))], 4 * (62 - x)) << x;
+  EXPECT_EQ(result.pixels[static_cast<std::size_t>(3 * (16 * 64 + 45))], 250);
+}
+
+TEST(RevealBackground, CopiesFromTheNearestFrameThatShowsThePlace) {
+  std::vector<std::shared_ptr<const Image>> frames, masks;
+  for (int t = 0; t < 3; ++t) {
+    frames.push_back(std::make_shared<const Image>(test::blank(32, 32, static_cast<std::uint8_t>(50 * (t + 1)))));
+    Image mask = test::blank(32, 32, 0);
+    mask.channels = 1;
+    mask.pixels.assign(32 * 32, 0);
+    if (t == 1) mask.pixels[16 * 32 + 16] = 255;
+    if (t == 0) std::fill(mask.pixels.begin(), mask.pixels.end(), 255);
+    masks.push_back(std::make_shared<const Image>(mask));
+  }
+  FaceFit fit;
+  const Image result = reveal_background(engine::Window<Image>(frames, 1), engine::Window<Image>(masks, 1), fit);
+  EXPECT_EQ(result.pixels[3 * (16 * 32 + 16)], 150);  // frame 0 is all face, frame 2 shows it
+  EXPECT_EQ(result.pixels[0], 100);
+}
+
+TEST(Reanimate, BlursTheMouthByItsMotion) {
+  const FaceFit fit = true_fit(0);
+  const Image picture = drawn(fit, striped_map(), rest());
+  const AlbedoMap map = striped_map();
+  const Rig person = neutralise(test::head_model(), test::head(), fit, map);
+  std::vector<std::shared_ptr<const Weights>> two = {std::make_shared<const Weights>(rest()),
+                                                     std::make_shared<const Weights>(open_mouth(0.6f))};
+  const engine::Window<Weights> window(two, 0), still({two[0]}, 0);
+  const Image moving = reanimate(test::head_model(), person, map, fit, picture, picture, window);
+  const Image sharp = reanimate(test::head_model(), person, map, fit, picture, picture, still);
+  EXPECT_NE(moving.pixels, sharp.pixels);
+  const Image one = reanimate(test::head_model(), person, map, fit, picture, picture, window, {.moments = 1});
+  EXPECT_EQ(one.pixels, sharp.pixels);
+}
+
+TEST(Reanimate, LeavesAFrameThatWasLostAsItIs) {
+  FaceFit fit = true_fit(0);
+  fit.converged = false;
+  const Image picture = test::blank(320, 320, 77);
+  const engine::Window<Weights> weights({std::make_shared<const Weights>(rest())}, 0);
+  EXPECT_EQ(reanimate(test::head_model(), test::head(), striped_map(), fit, picture, picture, weights).pixels,
+            picture.pixels);
+}
+
+TEST(TrackVideo, FollowsAHeadThatTurnsAndAMouthThatOpens) {
+  const AlbedoMap map = striped_map();
+  const FaceFit start = true_fit(0);
+  engine::Prior<model::TrackVideoResult> prior;
+  for (int t = 1; t <= 5; ++t) {
+    const double yaw_deg = 1.5 * t;
+    const FaceFit truth = true_fit(yaw_deg);
+    const Image frame = drawn(truth, map, open_mouth(0.08f * static_cast<float>(t)));
+    const auto result = model::track_video(test::head_model(), frame, start, map, prior);
+    EXPECT_TRUE(result.fit.converged) << result.fit.problem;
+    EXPECT_LT(test::turn_error_deg(result.fit.camera, test::make_scene(yaw_deg)), 1.0) << t;
+    prior = engine::Prior<model::TrackVideoResult>(std::make_shared<const model::TrackVideoResult>(result));
+  }
+  const std::vector<Vec3f> posed = pose_points(test::head(), open_mouth(0.4f));
+  double truth_mm = 0;
+  for (const LipPair& pair : test::head().inner_lips)
+    truth_mm += (posed[pair.upper][1] - posed[pair.lower][1] - test::head().neutral.points_mm[pair.upper][1] +
+                 test::head().neutral.points_mm[pair.lower][1]) /
+                static_cast<double>(test::head().inner_lips.size());
+  EXPECT_NEAR(prior->fit.lip_gap_mm, truth_mm, 2.5);
+}
+
+TEST(TrackVideo, SaysThatTheFaceIsLost) {
+  const auto result =
+      model::track_video(test::head_model(), test::blank(320, 320, 255), true_fit(0), striped_map(), {});
+  EXPECT_FALSE(result.fit.converged);
+  EXPECT_NE(result.fit.problem.find("the face is lost here; start anew after it"), std::string::npos);
+}
+
+TEST(FillRatio, CarriesTheRatioOverAHole) {
+  AlbedoMap map;
+  map.width = map.height = 16;
+  map.albedo.assign(256, Vec3f{0.4f, 0.4f, 0.4f});
+  map.weight.assign(256, 1.0f);
+  const std::vector<Vec3f> estimate(256, Vec3f{0.2f, 0.2f, 0.2f});
+  for (int i = 100; i < 110; ++i) {
+    map.weight[static_cast<std::size_t>(i)] = 0;
+    map.albedo[static_cast<std::size_t>(i)] = {0.2f, 0.2f, 0.2f};
+  }
+  fill_ratio(estimate, 0.5f, map);
+  for (int i = 100; i < 110; ++i) EXPECT_NEAR(map.albedo[static_cast<std::size_t>(i)][1], 0.4f, 1e-4f);
+}
+
+}  // namespace
