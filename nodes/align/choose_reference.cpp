@@ -38,7 +38,7 @@ ChooseReferenceResult choose_reference(const engine::Seq<DepthScan>& scans, cons
       if (seen[t] == most && (chosen == count || std::fabs(areas[t] - wanted) < std::fabs(areas[chosen] - wanted)))
         chosen = t;
   }
-  return {*scans.at(chosen), *markers.at(chosen), scans.id(chosen)};
+  return {*scans.at(chosen), *markers.at(chosen), *interiors.at(chosen), scans.id(chosen)};
 }
 
 }  // namespace face::align

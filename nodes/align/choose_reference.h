@@ -17,6 +17,7 @@ struct ChooseReferenceOptions {
 struct ChooseReferenceResult {
   DepthScan scan;
   Landmarks markers;
+  Image interior;     // what was removed of its mouth
   std::string frame;  // its id
 };
 

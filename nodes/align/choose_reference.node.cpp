@@ -14,4 +14,5 @@ NODE("align.choose_reference", &choose_reference, version{1},
            "How far the mouth is open, as a share of the widest"),
      output("scan", &ChooseReferenceResult::scan, "The reference scan"),
      output("markers", &ChooseReferenceResult::markers, "Its markers"),
+     output("interior", &ChooseReferenceResult::interior, "What was removed of its mouth"),
      output("frame", &ChooseReferenceResult::frame, "Its id"));

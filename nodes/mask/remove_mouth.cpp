@@ -90,7 +90,7 @@ std::vector<float> depth_below_band(const DepthScan& scan, const Rectangle& box)
 }
 
 // Marks of the rectangle: 1 = inside the mouth. Seeds are what lies deep, grown over what is not measured beside it;
-// specks go.
+// specks, and what lies off the middle, go.
 std::vector<std::uint8_t> inside_of(const std::vector<float>& below, const Rectangle& box, double threshold_mm) {
   const int w = box.width, h = box.height;
   const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * w + x); };
@@ -100,6 +100,7 @@ std::vector<std::uint8_t> inside_of(const std::vector<float>& below, const Recta
     for (int sx = 0; sx < w; ++sx) {
       if (seen[at(sx, sy)] || !(static_cast<double>(below[at(sx, sy)]) > threshold_mm)) continue;
       int deep = 0;
+      double sum_x = 0, sum_y = 0;
       bool touches_side = false;
       component.clear();
       stack = {{sx, sy}};
@@ -109,6 +110,8 @@ std::vector<std::uint8_t> inside_of(const std::vector<float>& below, const Recta
         stack.pop_back();
         component.push_back({x, y});
         if (below[at(x, y)] >= 0) ++deep;
+        sum_x += x;
+        sum_y += y;
         touches_side = touches_side || x == 0 || x == w - 1 || y == 0 || y == h - 1;
         constexpr std::array<std::pair<int, int>, 4> sides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
         for (const auto& [dx, dy] : sides) {
@@ -120,7 +123,10 @@ std::vector<std::uint8_t> inside_of(const std::vector<float>& below, const Recta
           stack.push_back({nx, ny});
         }
       }
-      if (deep < 4 || touches_side) continue;
+      // A mouth lies about the middle; what lies in a corner is the jaw's edge.
+      const double size = static_cast<double>(component.size());
+      const double off = std::hypot((sum_x / size / w - 0.5) / 0.5, (sum_y / size / h - 0.5) / 0.5);
+      if (deep < 4 || touches_side || off > 0.8) continue;
       for (const auto& [x, y] : component) inside[at(x, y)] = 1;
     }
   return inside;
