@@ -23,7 +23,7 @@ constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 14, chin_f
 
 // Of the light before the face on what lies behind the lips. A fit cannot tell a lighter skin from a stronger light,
 // and teeth have no colour of their own to go by: more would make them glow.
-constexpr double mouth_share = 0.55;
+constexpr double mouth_share = 0.4;
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
