@@ -3,10 +3,12 @@
 
 #include <clocale>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "nodes/export/csv.h"
 #include "nodes/export/export_live_link_csv.h"
+#include "nodes/export/export_table.h"
 #include "nodes/export/export_tracks_csv.h"
 #include "nodes/types/arkit.h"
 #include "tests/support/expect_throw_text.h"
@@ -96,6 +98,26 @@ TEST(AppendFixed, WritesAPointWhateverTheLocale) {
   append_fixed(text, -1e300, 0);
   std::setlocale(LC_ALL, before.c_str());
   EXPECT_EQ(text.substr(0, 17), "1234.57 0.00 -0.5");
+}
+
+TEST(ExportTable, WritesNumbersThatReadBackExactly) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Table table{{"a_mm", "b, c"}, {{"all", {0.1, nan}}, {"own \"x\"", {-3, 1e300}}}};
+  const engine::File csv = export_table(table);
+  EXPECT_EQ(csv.suffix(), ".csv");
+  EXPECT_EQ(csv.bytes(), "name,a_mm,\"b, c\"\nall,0.1,\n\"own \"\"x\"\"\",-3,1e+300\n");
+  const engine::File json = export_table(table, {TableFormat::json});
+  EXPECT_EQ(json.suffix(), ".json");
+  EXPECT_EQ(json.bytes(),
+            "{\n  \"columns\": [\"a_mm\", \"b, c\"],\n  \"rows\": {\n    \"all\": [0.1, null],\n"
+            "    \"own \\\"x\\\"\": [-3, 1e+300]\n  }\n}\n");
+  EXPECT_EQ(export_table(Table{}).bytes(), "name\n");
+}
+
+TEST(ExportTable, RejectsRowsOfAnotherLength) {
+  EXPECT_THROW_TEXT(export_table(Table{{"a", "b"}, {{"x", {1}}}}), "row x has 1 values, expected 2");
+  EXPECT_THROW_TEXT(export_table(Table{{"a"}, {{"x", {1}}, {"x", {2}}}}, {TableFormat::json}),
+                    "the table has two rows x, which JSON cannot hold");
 }
 
 }  // namespace
