@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fits and tracks a person off the embedded head: how long, and in counters how well. Run it for both figures.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "nodes/base/random.h"
+#include "nodes/model/fit_image.h"
+#include "nodes/model/fit_landmarks.h"
+#include "nodes/model/from_rig.h"
+#include "nodes/model/track_video.h"
+#include "nodes/phantom/identity_modes.h"
+#include "nodes/phantom/make_head.h"
+#include "nodes/phantom/make_person.h"
+#include "nodes/phantom/video_frame.h"
+#include "nodes/render/camera.h"
+#include "nodes/texture/draw_face.h"
+#include "nodes/texture/extract.h"
+#include "nodes/texture/neutralise.h"
+#include "nodes/texture/render_into.h"
+
+namespace {
+
+using namespace face;
+
+struct World {
+  Rig head = phantom::make_head({.with_hair = false});
+  ShapeSet modes = phantom::identity_modes({.with_hair = false});
+  MorphableModel model = model::from_rig(head, &modes);
+  Rig person = phantom::make_person(head, &modes, nullptr, {.seed = 41, .warp_mm = 1}).person;
+  RigidMotion turn;
+  Camera camera;
+  Lighting lighting;
+  Weights rest;
+  Image picture;
+  Landmarks points;
+
+  World() {
+    const double yaw = 20 * std::numbers::pi / 180;
+    turn.rotation = {std::cos(yaw), 0, std::sin(yaw), 0, 1, 0, -std::sin(yaw), 0, std::cos(yaw)};
+    camera.position_mm = {0, 10, 900};
+    camera.centre_x_px = 319.5f;
+    camera.centre_y_px = 239.5f;
+    camera.focal_px = 1500;
+    lighting.towards_light = {0.4f, 0.4f, 0.8246f};
+    rest.values.assign(head.shapes.size(), 0.0f);
+    picture = phantom::video_frame(person, rest, &turn, camera, lighting, nullptr, nullptr, nullptr);
+    Random random(1);
+    for (const int point : {36, 39, 42, 45, 30, 31, 35, 48, 54, 51, 57, 8, 17, 21, 22, 26}) {
+      const Vec3f& p = person.neutral.points_mm[head.landmarks68[static_cast<std::size_t>(point)]];
+      Vec3f world{};
+      for (std::size_t k = 0; k < 3; ++k)
+        world[k] = static_cast<float>(turn.rotation[3 * k] * p[0] + turn.rotation[3 * k + 1] * p[1] +
+                                      turn.rotation[3 * k + 2] * p[2]);
+      const render::ScreenPoint seen = render::project(camera, world);
+      points.points.push_back({std::to_string(point), seen.x_px + random.normal(), seen.y_px + random.normal(), true});
+    }
+  }
+};
+
+const World& world() {
+  static const World made;
+  return made;
+}
+
+void FitLandmarks(benchmark::State& state) {
+  FaceFit fit;
+  for (auto _ : state) fit = model::fit_landmarks(world().model, world().points, world().picture);
+  state.counters["nme_percent"] = 100 * fit.landmark_nme;
+  state.counters["gap_mm"] = fit.lip_gap_mm;
+}
+BENCHMARK(FitLandmarks)->Unit(benchmark::kMillisecond);
+
+void FitImage(benchmark::State& state) {
+  FaceFit fit;
+  for (auto _ : state) fit = model::fit_image(world().model, world().picture, world().points);
+  double trace = 0;
+  for (std::size_t i = 0; i < 9; ++i)
+    trace += static_cast<double>(fit.camera.cam_from_world[i]) * world().turn.rotation[i];
+  state.counters["turn_error_deg"] = std::acos(std::clamp(0.5 * (trace - 1), -1.0, 1.0)) * 180 / std::numbers::pi;
+  state.counters["gap_mm"] = fit.lip_gap_mm;
+}
+BENCHMARK(FitImage)->Unit(benchmark::kMillisecond);
+
+void TrackVideo(benchmark::State& state) {
+  const FaceFit start = model::fit_image(world().model, world().picture, world().points);
+  const AlbedoMap map = texture::extract(world().model, world().picture, start);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(model::track_video(world().model, world().picture, start, map, {}).fit.image_rms);
+}
+BENCHMARK(TrackVideo)->Unit(benchmark::kMillisecond);
+
+void Extract(benchmark::State& state) {
+  const FaceFit fit = model::fit_image(world().model, world().picture, world().points);
+  for (auto _ : state) benchmark::DoNotOptimize(texture::extract(world().model, world().picture, fit).weight.data());
+}
+BENCHMARK(Extract)->Unit(benchmark::kMillisecond);
+
+void RenderInto(benchmark::State& state) {
+  const FaceFit fit = model::fit_image(world().model, world().picture, world().points);
+  const AlbedoMap map = texture::extract(world().model, world().picture, fit);
+  const Rig person = texture::neutralise(world().model, world().head, fit, map);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        texture::render_into(world().model, person, map, fit, world().picture, nullptr, &world().rest).pixels.data());
+}
+BENCHMARK(RenderInto)->Unit(benchmark::kMillisecond);
+
+}  // namespace
