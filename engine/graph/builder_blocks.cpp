@@ -15,12 +15,11 @@ void Builder::read_run(const JsonValue& tree, RunSettings* run) {
   const JsonMember* const block = tree.find("run");
   if (block == nullptr || !check_object(block->value, {"memory", "timeout_s"}, "the run block")) return;
   if (const JsonMember* const memory = block->value.find("memory")) {
-    const std::optional<std::int64_t> bytes =
-        memory->value.is(Kind::string) ? parse_memory(memory->value.text) : std::nullopt;
-    if (!bytes)
+    const std::int64_t bytes = memory->value.is(Kind::string) ? parse_size(memory->value.text).value_or(0) : 0;
+    if (bytes == 0)
       problem(memory->value.place(),
-              "found " + found(memory->value) + ", expected an amount such as \"8GB\" or \"500MB\"");
-    if (run != nullptr) run->memory_bytes = bytes.value_or(0);
+              "found " + found(memory->value) + ", expected an amount above 0, such as " + std::string(size_examples));
+    if (run != nullptr) run->memory_bytes = bytes;
   }
   if (const JsonMember* const timeout = block->value.find("timeout_s")) {
     const bool number = timeout->value.is(Kind::integer) || timeout->value.is(Kind::real);

@@ -182,19 +182,21 @@ JsonValue value_of_text(std::string_view text, const ParamInfo& param, const Sou
   return value;
 }
 
-std::optional<std::int64_t> parse_memory(std::string_view text) {
+std::optional<std::int64_t> parse_size(std::string_view text) {
   double amount = 0;
   const char* const end = text.data() + text.size();
   const auto [at, code] = std::from_chars(text.data(), end, amount, std::chars_format::fixed);
-  if (code != std::errc() || !(amount > 0)) return {};
-  const std::string_view unit(at, static_cast<std::size_t>(end - at));
+  if (code != std::errc() || !(amount >= 0)) return {};
+  std::string_view unit(at, static_cast<std::size_t>(end - at));
+  if (unit.starts_with(' ')) unit.remove_prefix(1);
   double bytes = 0;
-  if (unit == "KB") bytes = 1e3;
+  if (unit.empty() || unit == "B") bytes = 1;
+  if (unit == "kB" || unit == "KB") bytes = 1e3;
   if (unit == "MB") bytes = 1e6;
   if (unit == "GB") bytes = 1e9;
   if (unit == "TB") bytes = 1e12;
   const double total = amount * bytes;
-  if (total < 1 || total > most_exact) return {};
+  if (bytes == 0 || total > most_exact) return {};
   return static_cast<std::int64_t>(std::llround(total));
 }
 

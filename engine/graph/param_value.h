@@ -21,7 +21,8 @@ std::optional<ParamValue> read_param(const JsonValue& value, const ParamInfo& pa
 JsonValue value_of_text(std::string_view text, const ParamInfo& param, const SourceFile& source,
                         const std::string& pointer);
 
-// Bytes of "8GB", "500MB", "1.5GB" (decimal units KB, MB, GB, TB), or nothing for anything else.
-std::optional<std::int64_t> parse_memory(std::string_view text);
+// Bytes of "8GB", "500MB", "1.5 GB", "100000" (decimal units B, kB or KB, MB, GB, TB), or nothing for anything else.
+std::optional<std::int64_t> parse_size(std::string_view text);
+inline constexpr std::string_view size_examples = "\"500MB\" or \"8GB\" (B, kB, MB, GB, TB)";
 
 }  // namespace engine

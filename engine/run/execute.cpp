@@ -91,6 +91,7 @@ class TaskCall final : public Call {
     results_[output] = Value(*declaration_.output_types[output], std::move(value));
   }
   void push(std::size_t output, std::string id, std::shared_ptr<const void> value) override {
+    progress_.check_timeout(false);
     // What is handed on was read from files that had not changed. (Of many files: looked at when all is done.)
     if (files_.size() <= most_files_per_push) session_.check_sources(files_);
     try {
@@ -108,6 +109,7 @@ class TaskCall final : public Call {
   // The node was told of the run's end: what it returns may be half a result.
   bool cut_short() const { return *cut_short_; }
   const std::vector<std::string>& files() const { return files_; }
+  void check_timeout() const { progress_.check_timeout(true); }
 
  private:
   static constexpr std::size_t most_files_per_push = 16;
@@ -306,6 +308,7 @@ void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
     if (found) {
       ++counts_.reused;
       emit(RunEvent::Kind::reused, task);
+      if (!records.empty() && records.front().warned) tell_old_warnings(task);
     } else {
       if (!info.cheap) ++counts_.run;
       if (info.cheap) note_pace(task.node, seconds);
@@ -328,6 +331,7 @@ void Session::compute(Task& task, std::vector<OutputRecord>& records, std::chron
   record.key = task.key;
   record.outputs = records;
   record.warnings = task.warnings;
+  if (!record.outputs.empty()) record.outputs.front().warned = !record.warnings.empty();
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   {
     const std::lock_guard guard(mutex_);
@@ -343,6 +347,7 @@ std::vector<OutputRecord> Session::call_node(Task& task) {
   // A function's own parallel loops must not pick up other work of this thread's arena.
   tbb::this_task_arena::isolate([&] { declaration.run(call); });
   if (call.cut_short()) throw Stopped{};
+  call.check_timeout();
   check_sources(call.files());
   for (std::size_t o = 0; o < call.records_.size(); ++o) {
     if (call.records_[o].sequence) {

@@ -123,6 +123,8 @@ void Session::publish_outputs(RunResult& result) {
       publisher.publish(output_roots_.at(i), fs::path(options_.out_folder) / graph_.outputs[i].name);
     } catch (const Stopped&) {
       // The run was stopped at a failure, and the store has lost a value that would have to be made again.
+    } catch (const EngineError& error) {
+      result.failures.push_back("output " + graph_.outputs[i].name + ": " + error.what());  // others may still be had
     }
 }
 

@@ -134,11 +134,20 @@ void Session::resolve(Task& task) {
       ++counts_.reused;
       emit(RunEvent::Kind::reused, task);
     }
+    if (!outputs->empty() && outputs->front().warned) tell_old_warnings(task);
     return install(task, *outputs);
   }
   if (mode_ == Mode::plan) return would_run(task);
   task.state = Task::State::wanted;
   launch(task);
+}
+
+// What was worth a warning when a result was made is worth it when the result is used again.
+void Session::tell_old_warnings(Task& task) {
+  if (mode_ == Mode::plan) return;
+  const auto record = store_.find(task.key);
+  if (!record) return;
+  for (const std::string& warning : record->warnings) emit(RunEvent::Kind::warning, task, warning);
 }
 
 // Identities of a task's outputs as a record has them. Elements that were pushed already stay.

@@ -233,6 +233,7 @@ class Session {
   const Digest& prefix_of(int node, const std::vector<ParamValue>* overridden);
   void install(Task& task, const std::vector<OutputRecord>& outputs);
   void install_cheap(Task& task);
+  void tell_old_warnings(Task& task);
   void block(Task& task);
   void would_run(Task& task);
   void release_inputs(Task& task);

@@ -5,11 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <stdexcept>
 
 #include "engine/run/session.h"
 
 namespace engine::run {
 namespace fs = std::filesystem;
+
+TaskProgress::TaskProgress(Session& session, Task& task, std::atomic<bool>* cut_short)
+    : session_(session), cut_short_(cut_short) {
+  turn_to(task);
+}
 
 TaskProgress::~TaskProgress() {
   std::error_code ignored;
@@ -21,6 +28,22 @@ void TaskProgress::turn_to(Task& task) {
   if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
   scratch_.clear();
   task_ = &task;
+  const double limit_s = session_.graph_.run.timeout_s;
+  using clock = std::chrono::steady_clock;
+  deadline_ = limit_s > 0 ? clock::now() + std::chrono::duration_cast<clock::duration>(
+                                               std::chrono::duration<double>(std::min(limit_s, 1e9)))
+                          : clock::time_point::max();
+}
+
+bool TaskProgress::late() const {
+  return deadline_ != std::chrono::steady_clock::time_point::max() && std::chrono::steady_clock::now() > deadline_;
+}
+
+void TaskProgress::check_timeout(bool told_only) const {
+  if (!(told_only ? told_late_.load() : late())) return;
+  std::ostringstream text;
+  text << "it ran longer than the graph's timeout_s of " << session_.graph_.run.timeout_s << " s";
+  throw std::runtime_error(text.str());
 }
 
 void TaskProgress::report(double fraction) {
@@ -31,7 +54,8 @@ void TaskProgress::report(double fraction) {
 
 bool TaskProgress::stop_requested() const {
   if (session_.stopped_) *cut_short_ = true;
-  return session_.stopped_;
+  if (late()) told_late_ = true;
+  return session_.stopped_ || told_late_;
 }
 
 void TaskProgress::warn(const std::string& text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <string>
 
 #include "engine/port.h"
@@ -14,8 +15,7 @@ struct Task;
 // may then be half a result.
 class TaskProgress final : public Progress {
  public:
-  TaskProgress(Session& session, Task& task, std::atomic<bool>* cut_short)
-      : session_(session), task_(&task), cut_short_(cut_short) {}
+  TaskProgress(Session& session, Task& task, std::atomic<bool>* cut_short);
   ~TaskProgress() override;
   void turn_to(Task& task);  // the next task of a batch
 
@@ -23,12 +23,17 @@ class TaskProgress final : public Progress {
   bool stop_requested() const override;
   void warn(const std::string& text) override;
   std::string scratch_folder() override;
+  // Throws where the task has been told to stop, or hands on an element, after the graph's timeout_s.
+  void check_timeout(bool told_only) const;
 
  private:
+  bool late() const;
   Session& session_;
   Task* task_;
   std::atomic<bool>* cut_short_;
   std::string scratch_;
+  std::chrono::steady_clock::time_point deadline_;  // the last there is where the graph sets no limit
+  mutable std::atomic<bool> told_late_ = false;     // a node may ask from several threads
 };
 
 }  // namespace engine::run

@@ -8,6 +8,8 @@
 namespace engine::store {
 namespace {
 
+constexpr std::uint8_t is_sequence = 1, has_warned = 2;
+
 // Ends encoded bytes with their checksum.
 Bytes sealed(Bytes bytes) {
   const std::uint32_t sum = crc32c(bytes.data(), bytes.size());
@@ -50,7 +52,7 @@ Bytes encode_outputs(const std::vector<OutputRecord>& outputs) {
   ByteWriter writer(bytes);
   writer.count(outputs.size());
   for (const OutputRecord& output : outputs) {
-    writer.number<std::uint8_t>(output.sequence ? 1 : 0);
+    writer.number(static_cast<std::uint8_t>((output.sequence ? is_sequence : 0) | (output.warned ? has_warned : 0)));
     writer.count(output.elements.size());
     for (const OutputRecord::Element& element : output.elements) {
       writer.raw(element.identity.bytes.data(), element.identity.bytes.size());
@@ -64,7 +66,9 @@ std::vector<OutputRecord> decode_outputs(std::span<const std::uint8_t> bytes) {
   ByteReader reader(unsealed(bytes));
   std::vector<OutputRecord> outputs(reader.count(9));
   for (OutputRecord& output : outputs) {
-    output.sequence = reader.number<std::uint8_t>() != 0;
+    const auto flags = reader.number<std::uint8_t>();
+    output.sequence = (flags & is_sequence) != 0;
+    output.warned = (flags & has_warned) != 0;
     output.elements.resize(reader.count(40));
     for (OutputRecord::Element& element : output.elements) {
       reader.raw(element.identity.bytes.data(), element.identity.bytes.size());

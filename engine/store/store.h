@@ -19,6 +19,7 @@ struct OutputRecord {
   };
   bool sequence = false;
   std::vector<Element> elements;
+  bool warned = false;  // of a task's first output: find() has warnings of the task
 };
 
 // What went into a key, kept so that a later rerun can be explained. At most about 1 KB a task.

@@ -25,6 +25,7 @@ std::string fail(const std::string& text, const FailOptions& options) {
 }
 
 std::string sleep(const std::string& text, const SleepOptions& options, engine::Progress& progress) {
+  if (text.empty()) progress.warn("an empty text sleeps");
   wait(options.seconds, &progress);
   return text;
 }

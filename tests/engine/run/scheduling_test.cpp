@@ -49,6 +49,46 @@ TEST_F(Scheduling, ARunGoesOnWithOtherTasksWhileAnotherHoldsAKey) {
   EXPECT_EQ(most_at_work, 2);  // not one after the other
 }
 
+TEST_F(Scheduling, ATaskThatOutlivesTheTimeLimitFailsAndTheOthersGoOn) {
+  write_frames(1);
+  engine::Graph both = graph(R"("files": {"node": "files.list", "inputs": {"folder": "${folder}"}},
+"texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
+"slow": {"node": "toy.sleep", "inputs": {"text": "texts"}, "params": {"seconds": 60}},
+"all": {"node": "toy.join_texts", "inputs": {"texts": "slow"}},
+"quick": {"node": "toy.join_texts", "inputs": {"texts": "texts"}})",
+                             R"("all.txt": "all", "quick.txt": "quick")");
+  both.run.timeout_s = 0.05;
+  const engine::RunResult result = run(both);
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_EQ(result.failures[0].substr(0, result.failures[0].find(" [key")),
+            "slow[1] (toy.sleep): it ran longer than the graph's timeout_s of 0.05 s");
+  EXPECT_EQ(result.tasks.blocked, 1u);
+  EXPECT_EQ(out("quick.txt"), "frame 1");
+}
+
+TEST_F(Scheduling, WarningsAreToldAgainWhenAResultIsReused) {
+  write("frames/1.txt", "");
+  write("frames/2.txt", "a text");
+  for (const std::size_t reused : {0u, 5u}) {
+    std::vector<std::string> warnings;
+    engine::RunOptions options;
+    options.observer = [&](const engine::RunEvent& event) {
+      if (event.kind == engine::RunEvent::Kind::warning) warnings.push_back(event.element + ": " + event.text);
+    };
+    EXPECT_EQ(run(graph(sleepers, R"("all.txt": "all")", {{"slow.seconds", "0"}}), options).tasks.reused, reused);
+    EXPECT_EQ(warnings, std::vector<std::string>{"1: an empty text sleeps"}) << reused;
+  }
+}
+
+TEST_F(Scheduling, AnOutputThatCannotBeWrittenDoesNotHoldBackTheOthers) {
+  write_frames(1);
+  write("out/a.txt/somebody's file", "");
+  const engine::RunResult result = run(graph(sleepers, R"("a.txt": "all", "b.txt": "all")", {{"slow.seconds", "0"}}));
+  EXPECT_EQ(result.failures, std::vector<std::string>{"output a.txt: cannot write " +
+                                                      (folder() / "out/a.txt").string() + ": Is a directory"});
+  EXPECT_EQ(out("b.txt"), "frame 1");
+}
+
 TEST_F(Scheduling, AStoppedNodesHalfResultIsNotKept) {
   write_frames(1);
   engine::RunOptions options;
