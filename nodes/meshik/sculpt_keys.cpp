@@ -94,6 +94,7 @@ SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const 
     check(place.vertex < rig.neutral.points_mm.size(), "a landmark is vertex ", place.vertex, ", expected one below ",
           rig.neutral.points_mm.size());
   SculptKeysResult result;
+  result.reference = rig.neutral;
   result.mm_per_px = scale_of(rig, neutral, places);
   const std::vector<std::vector<double>> rows = shape_rows(rig, places);
   double mean = 0, count = 0;

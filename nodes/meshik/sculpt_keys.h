@@ -14,6 +14,7 @@ struct SculptKeysOptions {
 };
 
 struct SculptKeysResult {
+  Mesh reference;        // the rig at rest
   double mm_per_px = 0;  // how large a pixel is on the rig
   double rms_mm = 0;     // of the landmarks' places that no weights reach
 };

@@ -226,6 +226,7 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
 SolveResult solve(const MeshSpace& space, const VertexTargets& targets, const Weights* start,
                   const SolveOptions& options) {
   check_space(space);
+  if (start && start->values.empty() && targets.targets.empty()) return {};
   std::vector<double> weights(static_cast<std::size_t>(space.example_count), 0.0);
   if (start) {
     check(start->values.size() <= weights.size(), "start has ", start->values.size(), " weights, expected at most ",

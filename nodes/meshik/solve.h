@@ -64,7 +64,8 @@ struct SolveResult {
 
 // Weights and vertices of one frame whose vertices have to be at targets: x and y always, z where it is given. start:
 // weights to begin with, for example of the NNLS fit or of a neighbouring frame (null: 0). Where nothing is asked for,
-// the result is the reference.
+// the result is the reference; with a start that is empty as well (a frame that was lost), weights and vertices are
+// empty.
 SolveResult solve(const MeshSpace& space, const VertexTargets& targets, const Weights* start,
                   const SolveOptions& options = {});
 

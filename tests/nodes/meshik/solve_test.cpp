@@ -178,6 +178,16 @@ TEST(Solve, IsTheReferenceWhereNothingIsAskedFor) {
       EXPECT_NEAR(static_cast<double>(found.points.points_mm[v][d]), sheet.reference_mm[3 * v + d], 1e-4);
 }
 
+TEST(Solve, KnowsNothingOfAFrameThatWasLost) {
+  const test::BentSheet sheet = test::bent_sheet(7, 6, 3);
+  const MeshSpace space = prepare_triangles(sheet.reference_mm, sheet.triangles, sheet.examples_mm);
+  const Weights lost;
+  const SolveResult found = solve(space, {}, &lost);
+  EXPECT_TRUE(found.weights.values.empty());
+  EXPECT_TRUE(found.points.points_mm.empty());
+  EXPECT_FALSE(found.converged);
+}
+
 TEST(Solve, RejectsTargetsThatAreNoVertexOrTheSameOne) {
   const MeshSpace space = space_of(2);
   EXPECT_THROW_TEXT(solve(space, {{{195, 0, 0, 0, false}}}, nullptr), "target 0 is vertex 195, expected one below 195");

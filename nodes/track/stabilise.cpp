@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/stabilise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "nodes/base/check.h"
+
+namespace face::track {
+namespace {
+
+using Point = std::complex<double>;
+
+struct Pair {
+  Point from, to;
+  double weight = 1;
+};
+
+const Landmark* find(const Landmarks& landmarks, const std::string& name) {
+  const auto at = std::find_if(landmarks.points.begin(), landmarks.points.end(),
+                               [&](const Landmark& point) { return point.name == name; });
+  return at == landmarks.points.end() ? nullptr : &*at;
+}
+
+std::vector<Pair> pairs_of(const Landmarks& here, const Landmarks& rest, const StabiliseOptions& options,
+                           double weight) {
+  std::vector<Pair> pairs;
+  for (const std::string& name : options.rigid) {
+    const Landmark* to = find(rest, name);
+    check(to != nullptr, "rest has no point ", name, ", expected all rigid ones");
+    const Landmark* from = find(here, name);
+    if (from != nullptr && from->valid) pairs.push_back({{from->x_px, from->y_px}, {to->x_px, to->y_px}, weight});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest,
+                    const StabiliseOptions& options) {
+  check(!options.rigid.empty(), "rigid names no point");
+  check(options.smooth_frames >= 0, "smooth_frames is ", options.smooth_frames, ", expected at least 0");
+  std::vector<Pair> pairs = pairs_of(landmarks.centre(), rest, options, 1);
+  Landmarks moved = landmarks.centre();
+  if (pairs.empty()) {
+    for (Landmark& point : moved.points) point.valid = false;
+    return moved;
+  }
+  const auto middle = static_cast<double>(landmarks.centre_index());
+  for (std::size_t i = 0; i < landmarks.size() && options.smooth_frames > 0; ++i) {
+    if (i == landmarks.centre_index()) continue;
+    const double frames = (static_cast<double>(i) - middle) / options.smooth_frames;
+    const std::vector<Pair> more = pairs_of(landmarks[i], rest, options, std::exp(-0.5 * frames * frames));
+    if (more.size() == options.rigid.size()) pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+  double total = 0, size = 0;
+  Point from = 0, to = 0, along = 0;
+  for (const Pair& pair : pairs) {
+    total += pair.weight;
+    from += pair.weight * pair.from;
+    to += pair.weight * pair.to;
+  }
+  from /= total;
+  to /= total;
+  for (const Pair& pair : pairs) {
+    along += pair.weight * (pair.to - to) * std::conj(pair.from - from);
+    size += pair.weight * std::norm(pair.from - from);
+  }
+  const Point turn = size > 1 && std::abs(along) > 0 ? along / size : Point(1);
+  for (Landmark& point : moved.points) {
+    const Point at = to + turn * (Point(point.x_px, point.y_px) - from);
+    point.x_px = at.real();
+    point.y_px = at.imag();
+  }
+  for (const std::string& name : options.rigid)
+    for (Landmark& point : moved.points)
+      if (point.name == name) point = {name, find(rest, name)->x_px, find(rest, name)->y_px, true};
+  return moved;
+}
+
+}  // namespace face::track
