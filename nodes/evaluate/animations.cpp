@@ -29,7 +29,12 @@ std::vector<Vec3f> posed(const Rig& rig, const Weights& weights, const char* nam
   for (std::size_t i = 0; i < weights.values.size(); ++i)
     check(std::isfinite(weights.values[i]), name, " of frame ", frame, ": weight ", i, " is ", weights.values[i],
           ", expected a finite number");
-  return pose_points(rig, weights);
+  std::vector<Vec3f> points = pose_points(rig, weights);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (const float coordinate : points[v])
+      check(std::isfinite(coordinate), "the rig, posed for ", name, " of frame ", frame, ": vertex ", v,
+            " has the coordinate ", coordinate, ", expected a finite number");
+  return points;
 }
 
 void check_points(const MeshPoints& points, std::size_t vertex_count, const char* name, const std::string& frame) {
@@ -44,8 +49,10 @@ void check_points(const MeshPoints& points, std::size_t vertex_count, const char
 void for_each_pose(const Rig& rig, const engine::Seq<Weights>& weights, const engine::Seq<Weights>& truth,
                    const VisitPair& visit) {
   check_frame_counts(weights.size(), truth.size(), "weights", "truth");
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    visit(i, posed(rig, *weights.at(i), "weights", weights.id(i)), posed(rig, *truth.at(i), "truth", truth.id(i)));
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const std::vector<Vec3f> points = posed(rig, *weights.at(i), "weights", weights.id(i));
+    visit(i, points, posed(rig, *truth.at(i), "truth", truth.id(i)));
+  }
 }
 
 double squared_distance(const Vec3f& a, const Vec3f& b) {

@@ -179,7 +179,9 @@ Image curve_plot(const Table& curves, const Table* more, const Timeline& timelin
             " s, expected finite times");
   std::vector<Panel> panels;
   add_panels(curves, "curves", timeline.time_s.size(), panels);
-  if (more) add_panels(*more, "more", timeline.time_s.size(), panels);
+  std::vector<Panel> further;
+  if (more) add_panels(*more, "more", timeline.time_s.size(), further);
+  panels.insert(panels.end(), further.begin(), further.end());
   check(!panels.empty(), "curves has no columns to draw");
   const int panel_px = static_cast<int>(options.panel_px), count = static_cast<int>(panels.size());
   const int height_px = count * (head_px + panel_px + gap_px) + axis_px + (phones ? phones_px : 0);

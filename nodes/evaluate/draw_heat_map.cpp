@@ -2,6 +2,7 @@
 #include "nodes/evaluate/draw_heat_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -32,6 +33,8 @@ std::vector<Colour> colours() {
 Image draw_heat_map(const Rig& rig, const std::vector<double>& error_mm, double full_scale_mm) {
   check(error_mm.size() == rig.neutral.points_mm.size(), "there are ", error_mm.size(), " errors, the rig has ",
         rig.neutral.points_mm.size(), " vertices");
+  for (std::size_t v = 0; v < error_mm.size(); ++v)
+    check(std::isfinite(error_mm[v]), "the error of vertex ", v, " is ", error_mm[v], ", expected a finite number");
   const std::vector<Colour> map = colours();
   Rig painted;
   painted.neutral = rig.neutral;

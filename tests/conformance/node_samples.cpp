@@ -10,6 +10,7 @@
 #include "engine/port.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
+#include "nodes/types/table.h"
 #include "nodes/types/timeline.h"
 #include "nodes/types/weights.h"
 #include "tests/support/samples.h"
@@ -150,6 +151,36 @@ AnyValue viseme_table(engine::Plugins&, int variant) {
 // A projector stands beside its camera.
 AnyValue projector(engine::Plugins&, int variant) { return test::sample("camera", 12 + variant); }
 
+// What a truth is: not what is judged.
+Maker another(const std::string& type) {
+  return [type](engine::Plugins&, int variant) { return test::sample(type, variant + 1); };
+}
+AnyValue other_face_points(engine::Plugins& plugins, int variant) { return face_points(plugins, variant + 2); }
+
+// A row per frame of the timeline.
+AnyValue curves(engine::Plugins&, int variant) {
+  face::Table table{{"own_mm", "truth_mm"}, {}};
+  for (int f = 0; f < 4; ++f) table.rows.push_back({std::to_string(f), {std::sin(f + variant), std::cos(f)}});
+  return held(table);
+}
+
+// Four frames over all that is said.
+AnyValue spread_timeline(engine::Plugins&, int variant) {
+  face::Timeline timeline;
+  const double step = 0.25 + 0.02 * variant;
+  for (int f = 0; f < 4; ++f) timeline.time_s.push_back(step * f);
+  timeline.duration_s = 4 * step;
+  return held(timeline);
+}
+
+// One number per row; the variants take another list in turn.
+Maker columns_of(std::vector<std::vector<double>> lists) {
+  return [lists](engine::Plugins&, int variant) {
+    const std::vector<double>& list = lists[static_cast<std::size_t>(variant) % lists.size()];
+    return held(Matrix{list.size(), 1, list});
+  };
+}
+
 const std::map<std::string, Maker>& makers() {
   const std::string pocketsphinx = "/usr/share/pocketsphinx/model/en-us/";
   static const std::map<std::string, Maker> all = {
@@ -186,6 +217,18 @@ const std::map<std::string, Maker>& makers() {
       {"model.fit_landmarks.landmarks", face_points},
       {"model.fit_image.landmarks", face_points},
       {"model.fit_images.landmarks", face_points},
+      {"evaluate.clustering.labels", columns_of({{0, 0, 0, 1, 1, 1}, {0, 1, 0, 1, 0, 1}})},
+      {"evaluate.clustering.exemplars", columns_of({{1, 4}, {0, 3}})},
+      {"evaluate.clustering.planted", columns_of({{0, 0, 0, 1, 1, 2}, {0, 1, 1, 1, 1, 1}})},
+      {"evaluate.curve_plot.curves", curves},
+      {"evaluate.curve_plot.more", curves},
+      {"evaluate.landmarks.track", face_points},
+      {"evaluate.landmarks.truth", other_face_points},
+      {"evaluate.lip_gap.truth", another("weights")},
+      {"evaluate.lip_gap.timeline", spread_timeline},
+      {"evaluate.lip_vertex_error.truth", another("weights")},
+      {"evaluate.mesh_error.truth", another("mesh_points")},
+      {"evaluate.texture_consistency.frames", another("image")},
       {"phantom.scan_frame.projector", projector},
       {"phantom.lose_points.projector", projector},
       {"phantom.read_configurations.file",
@@ -222,6 +265,12 @@ const std::map<std::string, std::string>& shown_elsewhere() {
       {"cluster.affinity_propagation.method", not_reached},
       {"cluster.key_shapes.frames", not_reached},
       {"cluster.key_shapes.labels", not_reached},
+      {"evaluate.jitter.rig", not_reached},
+      {"evaluate.mouth_time_offset.max_offset_ms", not_reached},
+      {"evaluate.mouth_time_offset.rig", not_reached},
+      {"evaluate.mouth_time_offset.timeline", not_reached},
+      {"evaluate.sync.audio", not_reached},
+      {"evaluate.sync.weights", not_reached},
       {"flow.dis.start", not_reached},
       {"flow.robust.remove_spikes", not_reached},
       {"flow.scan.radius_weight", not_reached},

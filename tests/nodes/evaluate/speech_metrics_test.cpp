@@ -86,6 +86,13 @@ TEST(LipVertexError, RejectsUnequalCountsNothingAndNumbersThatAreNone) {
   EXPECT_THROW_TEXT(lip_vertex_error(rig, jaws({0}), jaws({0}), &none), "lips holds no vertex");
 }
 
+TEST(LipVertexError, NamesTheVertexOfARigThatIsNoNumber) {
+  Rig rig = small_face();
+  rig.neutral.points_mm[3][1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW_TEXT(lip_vertex_error(rig, jaws({0}), jaws({0}), nullptr),
+                    "the rig, posed for weights of frame 0: vertex 3 has the coordinate nan, expected a finite number");
+}
+
 TEST(MeshError, OfPosedWeightsIsThatOfTheWeights) {
   const Rig rig = small_face();
   const engine::Seq<MeshPoints> own({pose_rig(rig, jaw(0.1)), pose_rig(rig, jaw(0.8))});
@@ -251,6 +258,17 @@ TEST(Jitter, TellsAnOverSmoothedAnimationByItsRatio) {
   const Table same = jitter(engine::Seq<MeshPoints>(moved), &real, timeline, nullptr, nullptr);
   EXPECT_NEAR(cell(same, "ratio", "high_percent"), 1, 1e-3);  // wherever it is
   EXPECT_NEAR(cell(same, "ratio", "jerk_mm"), 1, 1e-4);
+}
+
+TEST(Jitter, LooksAtTheLandmarksOfARigUnlessOtherVerticesAreGiven) {
+  Rig rig = small_face();
+  rig.landmarks68.assign(68, 20);  // which the jaw leaves alone
+  std::vector<MeshPoints> frames;
+  for (int t = 0; t < 10; ++t) frames.push_back(pose_rig(rig, jaw(t % 2)));
+  const engine::Seq<MeshPoints> points(frames);
+  const VertexMask lower = mask_of(35, 5, 9);
+  EXPECT_EQ(cell(jitter(points, nullptr, every(0.1, 10), &rig, nullptr), "own", "jerk_mm"), 0);
+  EXPECT_NEAR(cell(jitter(points, nullptr, every(0.1, 10), &rig, &lower), "own", "jerk_mm"), 20, 1e-4);
 }
 
 TEST(Jitter, OfOneFrameIsNotMeasured) {
