@@ -83,6 +83,8 @@ FlatGraph Builder::build(const GraphFile& file, Graph& graph) {
   FlatGraph flat;
   link_outputs(flat);
   report_unused_settings();
+  read_sweep(file.tree, graph.sweep);
+  graph.notes = std::move(notes_);
   flat.nodes = std::move(nodes_);
   flat.input_checks = std::move(input_checks_);
   return flat;
@@ -108,7 +110,7 @@ int Builder::add_scope(const GraphFile& file, int parent, const std::string& pre
   scope.prefix = prefix;
   scope.usable = file.usable;
   if (!file.usable) return index;
-  check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "layout"},
+  check_object(file.tree, {"facegraph", "doc", "extends", "params", "inputs", "nodes", "outputs", "run", "sweep", "layout"},
                "a graph");
   if (const JsonMember* doc = file.tree.find("doc"); doc != nullptr && !doc->value.is(Kind::string))
     problem(doc->value.place(), "found " + found(doc->value) + ", expected a text");
@@ -248,23 +250,29 @@ void Builder::read_node(int index, const JsonMember& member) {
     problem(type->value.place(), "found " + found(type->value) + ", expected the name of a node");
     return unknown();
   }
-  const NodeInfo* const info = context_.find_node(type->value.text);
+  Given* const swap = find_setting(scopes_[index].prefix + member.key, "node");
+  if (swap != nullptr) swap->used = true;
+  const NodeInfo* const info =
+      find_kind(swap != nullptr ? swap->value : type->value.text,
+                swap != nullptr ? Place{command_line_.shown, 0, 0, swap->pointer} : type->value.place());
   unknown();
   FlatNode& node = nodes_.back();
-  if (info == nullptr) {
-    const std::string absent = context_.absent_plugin ? context_.absent_plugin(type->value.text) : std::string();
-    if (!node_types_) node_types_ = context_.node_names ? context_.node_names() : std::vector<std::string>();
-    problem(type->value.place(),
-            absent.empty()
-                ? "no node is called " + quoted_text(type->value.text) + did_you_mean(type->value.text, *node_types_)
-                : "the node " + quoted_text(type->value.text) + " cannot be used: " + absent);
-    return;
-  }
+  if (info == nullptr) return;
   node.info = info;
   node.ports.resize(info->inputs.size());
-  read_node_params(index, member, node);
+  read_node_params(index, member, node, swap != nullptr);
   if (const JsonMember* const overrides = member.value.find("overrides")) read_overrides(index, overrides->value, node);
   deferred_.push_back({static_cast<int>(nodes_.size()) - 1, index, &member});
+}
+
+// Null for what is no node, which is reported.
+const NodeInfo* Builder::find_kind(const std::string& name, const Place& place) {
+  if (const NodeInfo* const info = context_.find_node(name)) return info;
+  const std::string absent = context_.absent_plugin ? context_.absent_plugin(name) : std::string();
+  if (!node_types_) node_types_ = context_.node_names ? context_.node_names() : std::vector<std::string>();
+  problem(place, absent.empty() ? "no node is called " + quoted_text(name) + did_you_mean(name, *node_types_)
+                                : "the node " + quoted_text(name) + " cannot be used: " + absent);
+  return nullptr;
 }
 
 void Builder::read_subgraph(int index, const JsonMember& member, const JsonValue& graph) {

@@ -74,6 +74,7 @@ class Builder {
   int add_scope(const GraphFile& file, int parent, const std::string& prefix, const JsonMember* embedding);
   void read_nodes(int scope);
   void read_node(int scope, const JsonMember& member);
+  const NodeInfo* find_kind(const std::string& name, const Place& place);
   void read_subgraph(int scope, const JsonMember& member, const JsonValue& graph);
   void read_inputs(int scope, const JsonMember* embedding);
   void read_outputs(int scope);
@@ -81,6 +82,10 @@ class Builder {
   // builder_blocks.cpp
   void read_run(const JsonValue& tree, RunSettings* run);
   void read_overrides(int scope, const JsonValue& overrides, FlatNode& node);
+
+  // builder_sweep.cpp
+  void read_sweep(const JsonValue& tree, SweepSettings& sweep);
+  bool read_variation(const JsonMember& member, const std::vector<std::string>& swapped, SweepSettings::Vary& vary);
 
   // builder_settings.cpp
   void read_settings(const std::vector<Setting>& settings);
@@ -91,7 +96,7 @@ class Builder {
   void read_params(int scope, const JsonMember* embedding);
   std::optional<BoundParam> declare_param(const JsonMember& member);
   void bind_param(int scope, BoundParam& bound, const JsonMember& declared, const JsonMember* embedding);
-  void read_node_params(int scope, const JsonMember& member, FlatNode& node);
+  void read_node_params(int scope, const JsonMember& member, FlatNode& node, bool swapped);
   bool read_value(int scope, const JsonValue& written, const ParamInfo& param, ParamValue& value);
   const BoundParam* find_param(int scope, const JsonValue& written);
 
@@ -123,6 +128,7 @@ class Builder {
   std::set<const JsonValue*> blamed_;  // values of parameters that a problem names already
   std::optional<std::vector<std::string>> node_types_;
   int link_depth_ = 0;
+  std::vector<std::string> notes_;
 
  public:
   Documents& documents() { return documents_; }

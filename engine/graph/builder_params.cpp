@@ -273,7 +273,7 @@ bool Builder::read_value(int index, const JsonValue& written, const ParamInfo& p
   return false;
 }
 
-void Builder::read_node_params(int index, const JsonMember& member, FlatNode& node) {
+void Builder::read_node_params(int index, const JsonMember& member, FlatNode& node, bool swapped) {
   std::vector<std::string> names;
   for (const ParamInfo& param : node.info->params) {
     names.push_back(param.name);
@@ -287,6 +287,8 @@ void Builder::read_node_params(int index, const JsonMember& member, FlatNode& no
       const int param = node.info->find_param(given.key);
       if (param >= 0)
         read_value(index, given.value, node.info->params[param], node.params[param]);
+      else if (swapped && node.info->find_input(given.key) < 0)
+        notes_.push_back(node.id + ": " + node.info->name + " has no parameter '" + given.key + "'; that of the graph is left out");
       else if (node.info->find_input(given.key) >= 0)
         problem(given.place(), "'" + node.info->name + "' has no parameter " + quoted_text(given.key) +
                                    "; it is one of its \"inputs\"");

@@ -61,6 +61,18 @@ struct RunSettings {
   double timeout_s = 0;
 };
 
+// The "sweep" block: never part of a key. Names as --set takes them ("flow.lambda", "levels"), and NODE.node for the kind of
+// node.
+struct SweepSettings {
+  struct Vary {
+    std::string name;
+    std::vector<std::string> values;  // as --set takes them
+    std::vector<std::string> shown;   // the same as written: a path is relative to its graph file
+  };
+  std::vector<Vary> vary;
+  std::vector<std::string> metrics;
+};
+
 // A parameter that a graph declares; for commands that run a graph with its parameters as options.
 struct GraphParam {
   ParamInfo info;  // name, doc, kind, list, choices; kind string for a path
@@ -77,6 +89,8 @@ struct Graph {
   std::vector<GraphNode> nodes;  // producers before consumers
   std::vector<GraphOutput> outputs;
   RunSettings run;
+  SweepSettings sweep;
+  std::vector<std::string> notes;  // what a setting of a node's kind left out: "flow: flow.dis has no parameter 'lambda'"
   std::vector<GraphParam> params;  // in the order declared
   std::string doc;                 // what the file says it is for
 
@@ -91,7 +105,8 @@ struct GraphContext {
       absent_plugin;  // a sentence for a node of a plugin that could not be used, or empty
 };
 
-// --set NAME=VALUE as typed: "levels=6", "flow.levels=6", "audio=line.wav". Paths are relative to `folder`.
+// --set NAME=VALUE as typed: "levels=6", "flow.levels=6", "audio=line.wav". Paths are relative to `folder`. "flow.node=flow.dis"
+// puts another kind of node in its place; parameters of the graph file that this one lacks are left out, with a note.
 struct Setting {
   std::string name;
   std::string value;
