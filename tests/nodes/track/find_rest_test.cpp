@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/find_rest.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::track;
+
+Landmarks mouth(double height) {
+  Landmarks points;
+  for (int i = 0; i < 12; ++i) {
+    const double y = i == 0 || i == 6 ? 0 : (i < 6 ? -0.5 : 0.5) * height;
+    points.points.push_back({"lip_" + std::to_string(i), static_cast<double>(i), y, true});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST(FindRest, IsAShutMouthThoughTheClipBeginsWithAnOpenOne) {
+  std::vector<Landmarks> frames{mouth(20)};
+  for (int i = 0; i < 20; ++i) frames.push_back(mouth(8));
+  for (int i = 0; i < 79; ++i) frames.push_back(mouth(12 + i % 5));
+  frames.push_back(mouth(3));
+  const Landmarks rest = find_rest(frames);
+  EXPECT_NEAR(rest.points[3].y_px, -4, 1e-9);
+  EXPECT_NEAR(rest.points[9].y_px, 4, 1e-9);
+  EXPECT_NEAR(rest.points[9].x_px, 9, 1e-9);
+}
+
+TEST(FindRest, LeavesFramesWithALostPointOut) {
+  Landmarks lost = mouth(2);
+  lost.points[0].valid = false;
+  EXPECT_NEAR(find_rest({{lost, mouth(9), lost, lost}}).points[3].y_px, -4.5, 1e-9);
+  EXPECT_EQ(find_rest({{lost}}).points[3].y_px, -1);
+}
+
+TEST(FindRest, RejectsNoFramesAndPointsWithoutLips) {
+  EXPECT_THROW_TEXT(find_rest(engine::Seq<Landmarks>()), "there are no frames");
+  EXPECT_THROW_TEXT(find_rest({{Landmarks{{{"chin", 1, 2, true}}}}}),
+                    "there is no point lip_11, expected lip_1 to lip_5 and lip_7 to lip_11");
+}
