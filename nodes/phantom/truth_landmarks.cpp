@@ -22,9 +22,9 @@ std::vector<std::pair<std::string, std::size_t>> points_of(LandmarkSet set) {
     for (std::size_t i = 0; i < 68; ++i) points.emplace_back(two_digits(i), i);
     return points;
   }
-  points = {{"rigid_1", 39}, {"rigid_2", 42}, {"rigid_3", 30}};
-  for (std::size_t i = 0; i < 12; ++i) points.emplace_back("lip_" + two_digits(i + 1), 48 + i);
-  points.insert(points.end(), {{"jaw_1", 7}, {"jaw_2", 8}, {"jaw_3", 9}});
+  points = {{"eye_inner_r", 39}, {"eye_inner_l", 42}, {"nose_tip", 30}};
+  for (std::size_t i = 0; i < 12; ++i) points.emplace_back("lip_" + std::to_string(i), 48 + i);
+  points.insert(points.end(), {{"jaw_r", 7}, {"chin", 8}, {"jaw_l", 9}});
   return points;
 }
 

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::phantom;
 
-NODE("phantom.truth_landmarks", &truth_landmarks, version{1},
+NODE("phantom.truth_landmarks", &truth_landmarks, version{2},
      doc{"Where a head's named points are in a picture, exact, and whether the camera sees them."},
      input{"rig", "Head with landmarks68"}, input{"weights", "Blend-shape weights of the frame"},
      input{"world_from_head", "Where the head is; unconnected: at rest"}, input{"camera", "Where it is seen from"},

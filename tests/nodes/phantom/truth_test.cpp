@@ -125,10 +125,10 @@ TEST(TruthLandmarks, AboutTheLipsAreThreeRigidTwelveOnTheLipAndThreeOnTheJaw) {
   options.set = LandmarkSet::lips18;
   const Landmarks points = truth_landmarks(probe::head(), {}, nullptr, make_camera(), options);
   ASSERT_EQ(points.points.size(), 18u);
-  EXPECT_EQ(points.points[0].name, "rigid_1");
-  EXPECT_EQ(points.points[3].name, "lip_01");
-  EXPECT_EQ(points.points[14].name, "lip_12");
-  EXPECT_EQ(points.points[17].name, "jaw_3");
+  EXPECT_EQ(points.points[0].name, "eye_inner_r");
+  EXPECT_EQ(points.points[3].name, "lip_0");
+  EXPECT_EQ(points.points[14].name, "lip_11");
+  EXPECT_EQ(points.points[17].name, "jaw_l");
   EXPECT_LT(points.points[3].x_px, points.points[9].x_px);  // the corners: the head's right is on the left
 }
 
