@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs those packages of tools/packages.txt that are missing.
 #   tools/setup.sh                 what a build needs
-#   tools/setup.sh build test      also what the tests need (groups: build test bench node)
+#   tools/setup.sh build test      also what the tests need (groups: build test bench node browser)
 #   tools/setup.sh --list build    prints the names of the missing packages, installs nothing
 # Uses sudo when not root. FACEGRAPH_SKIP_SETUP=1: the packages, or others that do the same, are already there.
 set -euo pipefail
