@@ -119,6 +119,14 @@ TEST(PhoneBoundaries, GainNothingByLeavingPhonesOut) {
   EXPECT_EQ(cell(wrong, "f1_20ms_percent"), 100);  // by time alone
 }
 
+TEST(PhoneBoundaries, CountNoneBetweenPhonesThatAnotherParts) {
+  const Phones truth = spoken({{"SIL", 0.1}, {"AA", 0.2}, {"M", 0.3}, {"SIL", 0.5}});
+  const Table table =
+      phone_boundaries(spoken({{"SIL", 0.1}, {"AA", 0.2}, {"T", 0.23}, {"M", 0.3}, {"SIL", 0.5}}), truth);
+  EXPECT_EQ(cell(table, "boundaries"), 2);
+  EXPECT_EQ(cell(table, "per_percent"), 50);  // one insertion, two phones
+}
+
 TEST(PhoneBoundaries, JoinSplitStopsWhereTheOtherHasWholeOnes) {
   const Phones whole = spoken({{"AA", 0.1}, {"P", 0.2}, {"SIL", 0.4}});
   const Phones split = spoken({{"AA", 0.1}, {"P.c", 0.17}, {"P.r", 0.2}, {"SIL", 0.4}});
@@ -150,6 +158,19 @@ TEST(Correspondence, TakesOutARigidMotionAndNothingElse) {
   for (Vec3f& p : own.points_mm)
     for (float& c : p) c *= 2;
   EXPECT_GT(cell(correspondence(rig, own, truth, nullptr).table, "mean_mm"), 5);  // size is not taken out
+}
+
+TEST(Correspondence, DoesNotTakeAMirrorImageForAMotion) {
+  const Rig rig = test::small_face();
+  MeshPoints truth{rig.neutral.points_mm}, own;
+  for (std::size_t v = 0; v < 35; ++v) truth.points_mm[v][2] = 0.3f * truth.points_mm[v][0] * static_cast<float>(v % 4);
+  for (const Vec3f& p : truth.points_mm) own.points_mm.push_back({-p[0], p[1], p[2]});
+  const CorrespondenceResult result = correspondence(rig, own, truth, nullptr);
+  EXPECT_GT(cell(result.table, "mean_mm"), 1);
+  const auto& r = result.truth_from_points.rotation;
+  EXPECT_NEAR(
+      r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]), 1,
+      1e-9);
 }
 
 TEST(Correspondence, TellsVerticesThatSlide) {
