@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "cli/commands.h"
+#include "engine/graph/param_value.h"
 #include "engine/run/run.h"
 
 namespace cli {
@@ -34,17 +34,10 @@ int audit(const engine::Graph& graph, engine::Plugins& plugins, engine::Store& s
 
 }  // namespace
 
-std::int64_t parse_size(const std::string& text) {
-  char* rest = nullptr;
-  const double number = std::strtod(text.c_str(), &rest);
-  double factor = 1;
-  for (const char* unit : units) {
-    if (rest != text.c_str() && number >= 0 && std::isfinite(number) &&
-        (std::string(rest) == unit || (*rest == '\0' && factor == 1)))
-      return static_cast<std::int64_t>(number * factor);
-    factor *= 1000;
-  }
-  throw std::invalid_argument("'" + text + "' is no size: expected a number and B, kB, MB, GB or TB, such as 500MB");
+std::int64_t size_of(const std::string& option, const std::string& text) {
+  if (const auto bytes = engine::parse_size(text)) return *bytes;
+  throw std::invalid_argument("command line: " + option + " " + text + ": expected an amount such as " +
+                              std::string(engine::size_examples));
 }
 
 std::string show_size(std::uint64_t bytes) {
@@ -59,6 +52,20 @@ std::string show_size(std::uint64_t bytes) {
   return text;
 }
 
+std::int64_t store_limit(const Common& common) {
+  if (!common.store_limit.empty()) return size_of("--store-limit", common.store_limit);
+  if (const char* set = std::getenv("FACEGRAPH_STORE_LIMIT")) return size_of("FACEGRAPH_STORE_LIMIT", set);
+  return default_store_limit_bytes;
+}
+
+void keep_to_limit(engine::Store& store, std::int64_t limit_bytes) {
+  const auto limit = static_cast<std::uint64_t>(limit_bytes);
+  if (store.stat().object_bytes <= limit) return;
+  const engine::GcResult result = store.gc(limit, 0);
+  std::fprintf(stderr, "the store was over %s: %s removed that were not used for longest, %s left\n",
+               show_size(limit).c_str(), show_size(result.removed_bytes).c_str(), show_size(result.kept_bytes).c_str());
+}
+
 int cache(const Common& common, const CacheArguments& arguments) {
   const auto store = open_store(common);
   if (arguments.action == "stat") {
@@ -70,9 +77,9 @@ int cache(const Common& common, const CacheArguments& arguments) {
     return done;
   }
   if (arguments.action == "gc") {
-    const std::string size = arguments.max_size.empty() ? "50GB" : arguments.max_size;
-    const engine::GcResult result =
-        store->gc(static_cast<std::uint64_t>(parse_size(size)), arguments.max_age_days * 86400);
+    const std::int64_t size =
+        arguments.max_size.empty() ? store_limit(common) : size_of("--max-size", arguments.max_size);
+    const engine::GcResult result = store->gc(static_cast<std::uint64_t>(size), arguments.max_age_days * 86400);
     std::printf("removed %llu objects, %s; %s left\n", static_cast<unsigned long long>(result.removed_objects),
                 show_size(result.removed_bytes).c_str(), show_size(result.kept_bytes).c_str());
     return done;

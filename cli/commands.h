@@ -90,7 +90,13 @@ std::string plugin_commands_help(const Common& common);
 bool run_plugin_command(std::vector<std::string> words, int& exit_code);
 
 // "500MB" -> bytes (decimal units). Throws std::invalid_argument.
-std::int64_t parse_size(const std::string& text);
+// Bytes of what an option was given; names it where that is no amount.
+std::int64_t size_of(const std::string& option, const std::string& text);
+// What the store may hold: --store-limit, else FACEGRAPH_STORE_LIMIT, else 50 GB.
+inline constexpr std::int64_t default_store_limit_bytes = 50'000'000'000;
+std::int64_t store_limit(const Common& common);
+// Collects what was not used for longest where the store is over its limit, and says so.
+void keep_to_limit(engine::Store& store, std::int64_t limit_bytes);
 std::string show_size(std::uint64_t bytes);
 
 }  // namespace cli

@@ -17,6 +17,7 @@ enum Exit { done = 0, task_failed = 1, invalid = 2, plugin_problem = 3, interrup
 struct Common {
   std::vector<std::string> plugin_folders;  // besides the installed one
   std::string store;                        // empty = FACEGRAPH_STORE, else the user's cache folder
+  std::string store_limit;                  // "50GB"; empty = FACEGRAPH_STORE_LIMIT, else 50 GB
 };
 
 struct GraphArguments {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/experiments.h"
 #include "engine/base/problem.h"
 
 namespace {
@@ -19,6 +20,22 @@ void add_graph(CLI::App* command, cli::GraphArguments& arguments, bool required 
   command->add_option("--set", arguments.sets, "A parameter of the graph or of a node: NAME=VALUE or NODE.PARAM=VALUE")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+}
+
+cli::CommandTree tree_of(const CLI::App& app) {
+  cli::CommandTree tree{app.get_name(), app.get_description(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) {
+    cli::CommandTree::Option known;
+    for (const std::string& name : option->get_snames()) known.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) known.names.push_back("--" + name);
+    if (known.names.empty()) continue;  // a word without a name: a graph file
+    known.doc = option->get_description();
+    if (option->get_items_expected_max() > 0 && option->get_type_size_max() > 0) known.value = option->get_type_name();
+    tree.options.push_back(std::move(known));
+  }
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    tree.commands.push_back(tree_of(*command));
+  return tree;
 }
 
 }  // namespace
@@ -37,6 +54,9 @@ int main(int count, char** words) {
       ->allow_extra_args(false);
   app.add_option("--store", common.store, "Where results are kept (default: FACEGRAPH_STORE, else the user's cache)")
       ->type_name("FOLDER");
+  app.add_option("--store-limit", common.store_limit,
+                 "What it may hold after a run, such as 100GB (default: FACEGRAPH_STORE_LIMIT, else 50GB)")
+      ->type_name("SIZE");
   app.fallthrough();
   app.footer([&] { return cli::plugin_commands_help(common); });
 
@@ -100,7 +120,7 @@ int main(int count, char** words) {
   cache_command->require_subcommand(1);
   CLI::App* cache_stat = cache_command->add_subcommand("stat", "How much it holds");
   CLI::App* cache_gc = cache_command->add_subcommand("gc", "Remove what was not used for longest");
-  cache_gc->add_option("--max-size", cache.max_size, "Keep at most this much (default 50GB)")->type_name("SIZE");
+  cache_gc->add_option("--max-size", cache.max_size, "Keep at most this much (default: the store's limit)")->type_name("SIZE");
   cache_gc->add_option("--max-age-days", cache.max_age_days, "Remove what is older")->check(CLI::PositiveNumber);
   CLI::App* cache_pin = cache_command->add_subcommand("pin", "Keep what a graph's results need, whatever gc removes");
   cache_pin->add_option("name", cache.name, "A name for the pin")->required();
@@ -113,6 +133,70 @@ int main(int count, char** words) {
   add_graph(cache_audit, cache.graph);
   cache_audit->add_option("--sample", cache.sample, "How many of them, such as 5% (the default)")->type_name("PERCENT");
   cache_audit->add_option("--seed", cache.seed, "Another seed, other tasks (default 1)");
+
+  cli::SweepArguments sweep;
+  CLI::App* sweep_command =
+      app.add_subcommand("sweep", "Run a graph with many settings and compare numbers that come out");
+  add_graph(sweep_command, sweep.graph);
+  sweep_command
+      ->add_option("--vary", sweep.vary,
+                   "NODE.PARAM, PARAM, or NODE.node (the kind of node) and its values (default: the graph's sweep block)")
+      ->type_name("NAME=VALUE,VALUE,...")
+      ->allow_extra_args(false);
+  sweep_command
+      ->add_option("--metric", sweep.metrics,
+                   "A number to compare: NODE.OUTPUT, or NODE.OUTPUT/PATH into its JSON; the first one sorts")
+      ->type_name("NODE.OUTPUT")
+      ->allow_extra_args(false);
+  sweep_command->add_flag("--largest-first", sweep.largest_first, "The largest number is the best one");
+  sweep_command->add_option("--out", sweep.out, "Folder for sweep.csv and sweep.json")->type_name("FOLDER");
+  sweep_command->add_flag("--outputs", sweep.outputs, "Publish the graph's outputs of each variant there too");
+  sweep_command->add_option("--threads", sweep.threads, "Tasks at once (default: as many as cores)")
+      ->check(CLI::Range(1, 1024));
+  sweep_command->add_option("--memory", sweep.memory, "Budget for values in memory, such as 500MB")->type_name("SIZE");
+  sweep_command->add_flag("--quiet", sweep.quiet, "Print the table only");
+
+  cli::GraphPictureArguments picture;
+  CLI::App* picture_command = app.add_subcommand("graph", "Draw a graph");
+  add_graph(picture_command, picture.graph);
+  CLI::Option* svg = picture_command->add_flag("--svg", picture.svg, "As SVG, which any browser shows (the default)");
+  picture_command->add_flag("--dot", picture.dot, "For Graphviz")->excludes(svg);
+  picture_command->add_option("-o,--output", picture.out, "File to write (default: standard output)")->type_name("FILE");
+
+  cli::ReportArguments report;
+  CLI::App* report_command = app.add_subcommand("report", "Run a graph and make a page of what it did");
+  add_graph(report_command, report.graph);
+  report_command->add_option("--out", report.out, "The page (default report.html)")->type_name("FILE");
+  report_command->add_option("--threads", report.threads, "Tasks at once (default: as many as cores)")
+      ->check(CLI::Range(1, 1024));
+  report_command->add_flag("--quiet", report.quiet, "Print failures only");
+
+  cli::CompareArguments compare;
+  CLI::App* compare_command =
+      app.add_subcommand("compare", "Say where two graphs, or one with two settings, and their results differ");
+  compare_command->add_option("A", compare.a, "A graph file (JSON)")->required();
+  compare_command->add_option("B", compare.b, "Another (default: A again)");
+  compare_command->add_option("--set", compare.sets, "A parameter of both")->type_name("NAME=VALUE")->allow_extra_args(false);
+  compare_command->add_option("--set-a", compare.sets_a, "A parameter of A")->type_name("NAME=VALUE")->allow_extra_args(false);
+  compare_command->add_option("--set-b", compare.sets_b, "A parameter of B")->type_name("NAME=VALUE")->allow_extra_args(false);
+  compare_command->add_option("--threads", compare.threads, "Tasks at once (default: as many as cores)")
+      ->check(CLI::Range(1, 1024));
+  compare_command->add_flag("--all", compare.all, "Name every element that differs");
+  compare_command->add_flag("--json", compare.json, "As JSON");
+  compare_command->add_flag("--quiet", compare.quiet, "Show no progress");
+
+  cli::NewArguments make_new;
+  CLI::App* new_command = app.add_subcommand("new", "Copy starter graphs into a folder of your own");
+  new_command->add_option("folder", make_new.folder, "A new folder");
+  new_command->add_option("--from", make_new.from, "Which: speech, video, scan, laser and what --list says")
+      ->type_name("NAME");
+  new_command->add_flag("--list", make_new.list, "Say what there is");
+
+  CLI::App* doctor_command = app.add_subcommand("doctor", "Look for what a run would stumble over");
+
+  std::string shell;
+  CLI::App* completion_command = app.add_subcommand("completion", "Print a script that completes commands in a shell");
+  completion_command->add_option("shell", shell, "bash or zsh")->required();
 
   try {
     int code = 0;
@@ -147,6 +231,16 @@ int main(int count, char** words) {
     if (*nodes_command) return cli::nodes(common, nodes);
     if (*describe_command) return cli::describe(common, describe);
     if (*schema_command) return cli::schema(common);
+    if (*sweep_command) return cli::sweep(common, sweep);
+    if (*picture_command) return cli::graph_picture(common, picture);
+    if (*report_command) return cli::report(common, report);
+    if (*compare_command) return cli::compare(common, compare);
+    if (*new_command) return cli::make_new(common, make_new);
+    if (*doctor_command) return cli::doctor(common);
+    if (*completion_command) {
+      std::printf("%s", cli::completion_script(tree_of(app), shell).c_str());
+      return cli::done;
+    }
     for (CLI::App* action : {cache_stat, cache_gc, cache_pin, cache_unpin, cache_verify, cache_audit})
       if (*action) cache.action = action->get_name();
     return cli::cache(common, cache);

@@ -193,7 +193,8 @@ bool run_plugin_command(std::vector<std::string> words, int& exit_code) {
     }
   }
   if (name.empty()) return false;
-  for (const char* own : {"run", "plan", "explain", "get", "validate", "nodes", "describe", "schema", "cache"})
+  for (const char* own : {"run", "plan", "explain", "get", "validate", "nodes", "describe", "schema", "cache", "sweep",
+                          "graph", "report", "compare", "new", "doctor", "completion"})
     if (name == own) return false;
   for (const PluginCommand& command : plugin_commands(common))
     if (command.name == name) {

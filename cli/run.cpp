@@ -35,6 +35,7 @@ int run(const Common& common, const RunArguments& arguments) {
     std::fprintf(stderr, "command line: --elements goes with --to NODE\n");
     return invalid;
   }
+  const std::int64_t limit_bytes = store_limit(common);
   const auto store = open_store(common);
   if (!arguments.summary.empty()) check_writable(arguments.summary);
 
@@ -43,7 +44,7 @@ int run(const Common& common, const RunArguments& arguments) {
   TraceWriter trace(arguments.trace);
   engine::RunOptions options;
   options.threads = arguments.threads;
-  if (!arguments.memory.empty()) options.memory_bytes = parse_size(arguments.memory);
+  if (!arguments.memory.empty()) options.memory_bytes = size_of("--memory", arguments.memory);
   options.fail_fast = arguments.fail_fast;
   options.to = arguments.to;
   options.elements = arguments.elements;
@@ -64,6 +65,7 @@ int run(const Common& common, const RunArguments& arguments) {
   };
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
   progress.clear();
+  if (result.tasks.run > 0) keep_to_limit(*store, limit_bytes);
   for (const engine::Digest& digest : store->take_damaged())
     std::fprintf(stderr,
                  "warning: the store's object %s was damaged: it was removed, and is made again where it is read\n",

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "cli/commands.h"
+#include "cli/experiments.h"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t little_room_bytes = 2'000'000'000;
+
+class Findings {
+ public:
+  void good(const std::string& text) { std::printf("ok       %s\n", text.c_str()); }
+  void bad(const std::string& text, const std::string& remedy) {
+    ++bad_;
+    std::printf("problem  %s\n         %s\n", text.c_str(), remedy.c_str());
+  }
+  int end() const {
+    std::printf("%s\n", bad_ == 0 ? "nothing is wrong"
+                                  : (std::to_string(bad_) + (bad_ == 1 ? " problem" : " problems")).c_str());
+    return bad_ == 0 ? done : task_failed;
+  }
+
+ private:
+  std::size_t bad_ = 0;
+};
+
+void check_plugins(const Common& common, const engine::Plugins& plugins, Findings& findings) {
+  for (const engine::Problem& problem : plugins.problems())
+    findings.bad("plugin " + problem.place.file + ": " + problem.text,
+                 "rebuild it against this version, or remove the file");
+  std::string names, folders;
+  for (const std::string& name : plugins.plugin_names()) names += (names.empty() ? "" : ", ") + name;
+  for (const std::string& folder : plugin_folders(common)) folders += (folders.empty() ? "" : ", ") + folder;
+  if (names.empty())
+    findings.bad("there are no plugins in " + folders, "install Facegraph whole, or name their folder with --plugins");
+  else
+    findings.good(std::to_string(plugins.node_names().size()) + " nodes of the plugins " + names);
+}
+
+// Files that installed graphs expect to be there: acoustic models, dictionaries, tables.
+void check_graphs(const engine::Plugins& plugins, Findings& findings) {
+  const fs::path graphs = graphs_folder();
+  std::error_code error;
+  std::size_t sound = 0;
+  std::set<std::string> missing;
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(graphs, error))
+    if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for (const fs::path& path : paths) {
+    if (path.string().find("/broken/") != std::string::npos) continue;
+    const engine::GraphReading reading = read_graph(path.string(), {}, plugins);
+    if (reading.problems.empty()) ++sound;
+    for (const engine::Problem& problem : reading.problems)
+      if (problem.place.pointer.ends_with("/default") && problem.text.find("exist") != std::string::npos &&
+          missing.insert(problem.text).second)
+        findings.bad(problem.line(), "install the package that has it, or give another one with --set");
+  }
+  if (paths.empty())
+    findings.bad("there are no graphs in " + graphs.string(),
+                 "install Facegraph whole; your own graphs work without them");
+  else
+    findings.good(std::to_string(paths.size()) + " files in " + graphs.string() + ", " + std::to_string(sound) +
+                  " of them graphs that run as they are");
+}
+
+void check_store(const Common& common, Findings& findings) {
+  std::string folder;
+  try {
+    const auto store = open_store(common);
+    folder = store->folder();
+    const engine::StoreStat stat = store->stat();
+    findings.good("store " + folder + ": " + show_size(stat.object_bytes));
+  } catch (const std::exception& error) {
+    return findings.bad(error.what(), "name another folder with FACEGRAPH_STORE or --store");
+  }
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  if (error)
+    return findings.bad("how much room " + folder + " has cannot be told: " + error.message(), "look at the disk");
+  if (space.available < little_room_bytes)
+    findings.bad("only " + show_size(space.available) + " are free where the store lies",
+                 "make room, run facegraph cache gc, or name another folder with FACEGRAPH_STORE");
+  else
+    findings.good(show_size(space.available) + " are free there");
+}
+
+}  // namespace
+
+int doctor(const Common& common) {
+  Findings findings;
+  const engine::Plugins plugins(plugin_folders(common));
+  check_plugins(common, plugins, findings);
+  check_graphs(plugins, findings);
+  check_store(common, findings);
+  return findings.end();
+}
+
+}  // namespace cli

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "cli/commands.h"
+#include "cli/experiments.h"
+#include "cli/interrupt.h"
+#include "cli/preview.h"
+#include "cli/progress.h"
+#include "engine/describe/describe.h"
+#include "engine/describe/picture.h"
+#include "engine/run/inspect.h"
+#include "engine/run/run.h"
+
+namespace cli {
+namespace {
+
+using engine::escape_markup;
+
+constexpr const char* style = R"(
+:root{color-scheme:light;--line:#d5dce4;--dim:#5a6b7d}
+*{box-sizing:border-box}
+body{margin:0;font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1d2733;background:#f5f7f9}
+main{max-width:72rem;margin:0 auto;padding:1rem}
+h1{font-size:1.5rem;margin:.5rem 0}h2{font-size:1.15rem;margin:1.5rem 0 .5rem}
+h3{font-size:1rem;margin:.9rem 0 .3rem;font-weight:600}
+section{background:#fff;border:1px solid var(--line);border-radius:6px;padding:.8rem 1rem;margin:.8rem 0}
+section:target{border-color:#5a86c4;box-shadow:0 0 0 2px #cfe0f6}
+.wide{overflow-x:auto;max-width:100%}
+.dim{color:var(--dim);margin:.2rem 0}.bad{color:#a8281f}.warn{color:#8a5a00}
+table{border-collapse:collapse;font-size:.9rem}th,td{border-bottom:1px solid var(--line);padding:.2rem .6rem;text-align:left;vertical-align:top}
+td{font-variant-numeric:tabular-nums;overflow-wrap:anywhere}
+pre{background:#f3f5f7;border-radius:4px;padding:.5rem;margin:.3rem 0;overflow:auto;max-height:18rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.85rem}
+.previews{display:flex;flex-wrap:wrap;gap:.6rem;align-items:flex-start}.previews>*{max-width:100%}.previews>pre,.previews>.wide{flex:1 1 16rem}
+figure{margin:0}img,video{max-width:100%;max-height:22rem;border:1px solid var(--line);background:#fff}
+figcaption{font-size:.8rem;color:var(--dim)}
+svg.curve{width:40rem;max-width:100%;background:#f3f5f7}svg.curve path{fill:none;stroke:#2f6bb3;stroke-width:1.5;vector-effect:non-scaling-stroke}
+.changed{font-weight:600}
+)";
+
+// What a run did with a node.
+struct Fate {
+  std::size_t run = 0, reused = 0, failed = 0, blocked = 0;
+};
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  if (seconds < 0.0995)
+    std::snprintf(text, sizeof text, "%.1f ms", seconds * 1000);
+  else if (seconds < 600)
+    std::snprintf(text, sizeof text, "%.1f s", seconds);
+  else
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  return text;
+}
+
+std::string anchor_of(const std::string& node) {
+  std::string anchor = "node-";
+  for (const char c : node) anchor += c == '/' ? '.' : c;
+  return anchor;
+}
+
+std::string tasks_text(const Fate& fate) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* word) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + word;
+  };
+  add(fate.run, "run");
+  add(fate.reused, "reused");
+  add(fate.failed, "failed");
+  add(fate.blocked, "blocked");
+  return text;
+}
+
+std::string command_of(const GraphArguments& arguments) {
+  std::string text = "facegraph run " + shell_word(arguments.path);
+  for (const std::string& set : arguments.sets) text += " --set " + shell_word(set);
+  return text + " --out out";
+}
+
+std::string list_of(const std::vector<std::string>& lines, const char* kind, std::size_t most = 20) {
+  std::string html;
+  for (std::size_t i = 0; i < lines.size() && i < most; ++i)
+    html += std::string("<p class=\"") + kind + "\">" + escape_markup(lines[i]) + "</p>";
+  if (lines.size() > most) html += "<p class=\"dim\">and " + std::to_string(lines.size() - most) + " more</p>";
+  return html;
+}
+
+std::string params_of(const engine::GraphNode& node) {
+  if (node.params.empty()) return {};
+  std::string html = "<h3>Parameters</h3><div class=\"wide\"><table>";
+  for (std::size_t p = 0; p < node.params.size(); ++p) {
+    const engine::ParamInfo& info = node.info->params[p];
+    const bool changed = node.params[p] != info.initial;
+    html += std::string("<tr><th") + (changed ? " class=\"changed\"" : "") + ">" + escape_markup(info.name) +
+            "</th><td" + (changed ? " class=\"changed\"" : "") + ">" + escape_markup(engine::to_text(node.params[p])) +
+            (info.unit.empty() || info.unit == "1" ? "" : " " + escape_markup(info.unit)) + "</td><td class=\"dim\">" +
+            escape_markup(info.doc) +
+            (changed ? " (default " + escape_markup(engine::to_text(info.initial)) + ")" : "") + "</td></tr>";
+  }
+  for (const engine::Override& override : node.overrides)
+    for (const auto& [param, value] : override.params)
+      html += "<tr><th class=\"changed\">" + escape_markup(node.info->params[static_cast<std::size_t>(param)].name) +
+              "</th><td class=\"changed\">" + escape_markup(engine::to_text(value)) + "</td><td class=\"dim\">of " +
+              escape_markup(override.text) + "</td></tr>";
+  return html + "</table></div>";
+}
+
+std::string inputs_of(const engine::Graph& graph, const engine::GraphNode& node) {
+  std::string html;
+  for (std::size_t p = 0; p < node.inputs.size(); ++p)
+    for (const engine::Source& source : node.inputs[p]) {
+      if (source.kind == engine::Source::Kind::none) continue;
+      html += "<tr><th>" + escape_markup(node.info->inputs[p].name) + "</th><td>";
+      if (source.kind == engine::Source::Kind::file) {
+        html += escape_markup(source.shown_path);
+      } else {
+        const engine::GraphNode& from = graph.nodes[static_cast<std::size_t>(source.node)];
+        std::string element;
+        for (const std::string& id : source.element) element += (element.empty() ? "[" : "/") + id;
+        html += "<a href=\"#" + escape_markup(anchor_of(from.id)) + "\">" + escape_markup(from.id) + "</a>." +
+                escape_markup(from.info->outputs[static_cast<std::size_t>(source.output)].name + element +
+                              (element.empty() ? "" : "]"));
+      }
+      html += "</td></tr>";
+    }
+  return html.empty() ? html : "<h3>Inputs</h3><div class=\"wide\"><table>" + html + "</table></div>";
+}
+
+}  // namespace
+
+int report(const Common& common, const ReportArguments& arguments) {
+  catch_interrupts();
+  const auto plugins = open_plugins(common);
+  engine::Graph graph;
+  if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
+  const auto store = open_store(common);
+  std::map<std::string, Fate> fates;
+  std::map<std::string, std::vector<std::string>> failures, warnings;
+  ProgressPrinter progress(arguments.quiet);
+  engine::RunOptions options;
+  options.threads = arguments.threads;
+  stop_on_interrupt(options);
+  options.observer = [&](const engine::RunEvent& event) {
+    using Kind = engine::RunEvent::Kind;
+    Fate& fate = fates[event.node];
+    fate.run += event.kind == Kind::finished;
+    fate.reused += event.kind == Kind::reused;
+    fate.failed += event.kind == Kind::failed;
+    fate.blocked += event.kind == Kind::blocked;
+    if (event.kind == Kind::failed) failures[event.node].push_back(event.text);
+    progress.show(event);
+  };
+  const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
+  progress.clear();
+  if (interrupt_requested()) {
+    std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);
+    return interrupted;
+  }
+
+  const std::vector<engine::StoredNode> stored = engine::inspect_graph(graph, *plugins, *store);
+  Previews previews(*plugins, *store);
+  std::map<std::string, engine::BoxNote> notes;
+  std::string sections;
+  double all_seconds = 0;
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const engine::GraphNode& node = graph.nodes[n];
+    if (!node.needed) continue;
+    const engine::StoredNode& record = stored[n];
+    const Fate fate = fates[node.id];
+    all_seconds += record.seconds;
+    engine::BoxNote& note = notes[node.id];
+    note.link = "#" + anchor_of(node.id);
+    const std::string tasks = tasks_text(fate);
+    note.tone = fate.failed + fate.blocked > 0 ? "failed" : fate.run > 0 ? "run" : fate.reused > 0 ? "reused" : "";
+    if (!tasks.empty()) note.lines.push_back(tasks);
+
+    std::string html = "<section id=\"" + escape_markup(anchor_of(node.id)) + "\"><h2>" + escape_markup(node.id) +
+                       " <span class=\"dim\">" + escape_markup(node.info->name) + "</span></h2><p class=\"dim\">" +
+                       escape_markup(node.info->doc) + "</p>";
+    std::string summary = tasks;
+    if (record.stored > 0) summary += (summary.empty() ? "" : "; ") + seconds_text(record.seconds) + " when run";
+    if (node.info->cheap) summary += (summary.empty() ? "" : "; ") + std::string("its values are not kept");
+    if (!summary.empty()) html += "<p>" + escape_markup(summary) + "</p>";
+    html += list_of(failures[node.id], "bad") + list_of(record.warnings, "warn");
+    html += params_of(node) + inputs_of(graph, node);
+    std::string size;
+    for (std::size_t o = 0; o < record.outputs.size(); ++o) {
+      const std::string& type = node.output_type[o];
+      const std::string bytes = previews.size(type, record.outputs[o]);
+      size = o == 0 ? bytes : size;
+      html += "<h3>" + escape_markup(node.info->outputs[o].name) + " <span class=\"dim\">" +
+              escape_markup(engine::port_type(type, node.output_depth[o])) + ", " + escape_markup(bytes) +
+              "</span></h3>";
+      // What the engine's own nodes pass on is shown where it was made.
+      if (node.info->structural == engine::Structural::none)
+        html += "<div class=\"previews\">" + previews.show(type, record.outputs[o]) + "</div>";
+    }
+    sections += html + "</section>\n";
+    if (record.stored > 0) size = seconds_text(record.seconds) + (size.empty() ? "" : ", " + size);
+    if (!size.empty()) note.lines.push_back(size);
+    if (!record.warnings.empty()) note.lines.push_back(std::to_string(record.warnings.size()) + " warnings");
+  }
+
+  std::string outputs;
+  for (const engine::GraphOutput& output : graph.outputs)
+    if (output.source.kind == engine::Source::Kind::node) {
+      const std::string& node = graph.nodes[static_cast<std::size_t>(output.source.node)].id;
+      outputs += "<tr><th>" + escape_markup(output.name) + "</th><td><a href=\"#" + escape_markup(anchor_of(node)) +
+                 "\">" + escape_markup(node) + "</a></td></tr>";
+    }
+  char counts[160];
+  std::snprintf(counts, sizeof counts,
+                "%zu tasks run, %zu reused, %zu failed, %zu blocked in %.2f s; all results took %s to make",
+                result.tasks.run, result.tasks.reused, result.tasks.failed, result.tasks.blocked, result.seconds,
+                seconds_text(all_seconds).c_str());
+  std::vector<std::string> other;  // failures that belong to no node
+  for (const std::string& failure : result.failures) {
+    bool told = false;
+    for (const auto& [node, texts] : failures) told |= std::find(texts.begin(), texts.end(), failure) != texts.end();
+    if (!told) other.push_back(failure);
+  }
+  const std::string name = std::filesystem::path(arguments.graph.path).filename().string();
+  const std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, "
+      "initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>" +
+      escape_markup(name) + "</title><style>" + style + "</style></head><body><main>\n<h1>" + escape_markup(name) +
+      "</h1>\n" + (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts + "</p>\n" +
+      list_of(other, "bad") + list_of(graph.notes, "warn") + "<pre>" + escape_markup(command_of(arguments.graph)) +
+      "</pre>\n<section><div class=\"wide\">" + engine::graph_svg(graph, notes) +
+      "</div></section>\n<section><h2>Outputs</h2><table>" + outputs + "</table></section>\n" + sections +
+      "</main></body></html>\n";
+  write_whole(arguments.out, page);
+  const bool failed = result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty();
+  if (!arguments.quiet) std::fprintf(stderr, "%s: %s\n", arguments.out.c_str(), counts);
+  return failed ? task_failed : done;
+}
+
+}  // namespace cli
