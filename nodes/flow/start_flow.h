@@ -9,7 +9,7 @@
 namespace face::flow {
 
 struct StartFlowOptions {
-  double reach_px = 40;
+  double reach_px = 25;
 };
 
 // Displacements to begin a flow with, from what is known before: every measured point of the reference is seen through

@@ -129,7 +129,19 @@ void correspondence(benchmark::State& state, Run run, bool with_start) {
       static_cast<double>(m.count()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-FlowField scan(const FeatureMap& a, const FeatureMap& b, const FlowField* s) { return flow::scan_flow(a, b, s); }
+// With a start as graphs/scan_stream/model.json has it, without one as by default.
+FlowField scan(const FeatureMap& a, const FeatureMap& b, const FlowField* s) {
+  flow::ScanFlowOptions options;
+  if (s) {
+    options.search = false;
+    options.window_px = 7;
+    options.coarse_warps = 6;
+    options.fine_warps = 5;
+    options.smoothness = 15;
+    options.bend_px = 2;
+  }
+  return flow::scan_flow(a, b, s, options);
+}
 FlowField dis_grey(const FeatureMap& a, const FeatureMap& b, const FlowField* s) {
   return flow::dis_flow(a, b, s, {"grey"});
 }
