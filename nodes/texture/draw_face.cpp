@@ -21,9 +21,8 @@ namespace {
 // Where drawing fades, mm: below the eyes, above the neck, in front of the ears.
 constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 14, chin_fade_mm = 20, ears_fade_mm = 22;
 
-// Of the light before the face on what lies behind the lips. A fit cannot tell a lighter skin from a stronger light,
-// and teeth have no colour of their own to go by: more would make them glow.
-constexpr double mouth_share = 0.4;
+constexpr double over_skin = 1.2;     // of teeth over skin, sRGB values
+constexpr double full_albedo = 0.75;  // of what looks like that in full light: teeth
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -57,6 +56,27 @@ Vec3f texel(const AlbedoMap& map, float x, float y) {
   return sum;
 }
 
+// What something white in the mouth looks like in the picture: as bright as the skin is there on average and a little
+// more, half its colour. Not by way of the light: a fit cannot tell a lighter skin from a stronger light, and teeth
+// have no colour of their own in the picture to go by.
+std::array<double, 3> white_shown(const AlbedoMap& map, const model::SkinAtlas& atlas, const FaceLight& light) {
+  std::array<double, 3> skin = {0, 0, 0};
+  double count = 0;
+  for (std::size_t t = 0; t < atlas.triangles.size(); t += 7) {
+    const Vec2f& uv = atlas.uvs[atlas.corners[t][0]];
+    const Vec3f colour =
+        texel(map, uv[0] * static_cast<float>(map.width) - 0.5f, (1 - uv[1]) * static_cast<float>(map.height) - 0.5f);
+    ++count;
+    for (std::size_t c = 0; c < 3; ++c) skin[c] += colour[c] * model::light_at(light, c, 0.5);
+  }
+  for (double& value : skin) value /= std::max(1.0, count);
+  std::array<double, 3> white = model::shown(light, skin);
+  double grey = 0;
+  for (std::size_t c = 0; c < 3; ++c) grey += model::luma[c] * white[c];
+  for (double& value : white) value = std::clamp(over_skin * 0.5 * (value + grey), 0.0, 1.0);
+  return white;
+}
+
 }  // namespace
 
 std::vector<float> drawn_share(const Rig& person) {
@@ -87,6 +107,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   std::vector<char> mouth_part(mesh.parts.size());
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) mouth_part[p] = in_mouth(mesh.parts[p].name);
 
+  const std::array<double, 3> white = white_shown(albedo, atlas, fit.light);
   FaceLayer layer;
   layer.width = fit.image_width_px;
   layer.height = fit.image_height_px;
@@ -127,14 +148,13 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
         }
         colour = texel(albedo, u * width - 0.5f, (1 - v) * height - 0.5f);
       }
-      std::array<double, 3> lit{};
-      for (std::size_t c = 0; c < 3; ++c) {
-        double strength = model::light_at(fit.light, c, parallel);
-        if (is_mouth)
-          strength = mouth_share * std::min(1.0, strength) * (exposure + (1.0 - exposure) * mouth.bounced[c]);
-        lit[c] = strength * colour[c];
+      std::array<double, 3> lit{}, value{};
+      for (std::size_t c = 0; c < 3; ++c) lit[c] = model::light_at(fit.light, c, parallel) * colour[c];
+      if (!is_mouth) value = model::shown(fit.light, lit);
+      for (std::size_t c = 0; is_mouth && c < 3; ++c) {
+        const double arrives = std::min(1.0, exposure + (1.0 - exposure) * mouth.bounced[c]);
+        value[c] = white[c] * model::srgb_of(arrives * colour[c]) / model::srgb_of(full_albedo);
       }
-      const std::array<double, 3> value = model::shown(fit.light, lit);
       layer.alpha[pixel] += drawn * part_of_pixel;
       for (std::size_t c = 0; c < 3; ++c)
         layer.colour[pixel][c] += drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));

@@ -18,6 +18,8 @@ namespace {
 
 constexpr float depth_slack_mm = 3;     // of a texel behind what the pixel shows
 constexpr double darkest_light = 0.03;  // below, its inverse is noise
+constexpr double open_gap_mm = 0.5;     // from which a mouth may show teeth
+constexpr float rim_mm = 2;             // of the lips that is not read then; twice as far all counts
 constexpr float sure_weight = 0.12f;    // from which a texel is the picture's alone
 
 // How many pixels every skin pixel is from one that shows something else, at most 3.
@@ -42,6 +44,30 @@ std::vector<std::uint8_t> pixels_to_edge(const PosedFace& face) {
     distance = std::move(next);
   }
   return distance;
+}
+
+// 0 at the inner rim of the lips of an open mouth, 1 a little away from it: a fit that is off by a pixel paints teeth
+// on the lips there. 1 everywhere where the mouth is closed, or the model has no landmarks.
+std::vector<float> away_from_teeth(const MorphableModel& model, const FaceFit& fit) {
+  const std::vector<Vec3f>& points = model.mean.points_mm;
+  std::vector<float> share(points.size(), 1.0f);
+  if (fit.lip_gap_mm < open_gap_mm || model.landmarks68.size() != 68) return share;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    float nearest = 1e9f;
+    for (std::size_t i = 0; i < 8; ++i)
+      for (int step = 0; step < 4; ++step) {
+        const Vec3f &a = points[model.landmarks68[60 + i]], &b = points[model.landmarks68[60 + (i + 1) % 8]];
+        const float t = 0.25f * static_cast<float>(step);
+        float squares = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const float d = points[v][k] - a[k] - t * (b[k] - a[k]);
+          squares += d * d;
+        }
+        nearest = std::min(nearest, std::sqrt(squares));
+      }
+    share[v] = std::clamp((nearest - rim_mm) / rim_mm, 0.0f, 1.0f);
+  }
+  return share;
 }
 
 std::array<double, 3> bilinear(const Image& image, double x, double y) {
@@ -70,6 +96,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   const Image rgb = render::rgb_image(picture);
   const PosedFace face = pose_face(model.mean, model::pose_model(model, fit.identity, fit.expression), fit, 1);
   const std::vector<Vec3f> model_albedo = model::albedo_of(model, fit.albedo);
+  const std::vector<float> readable = away_from_teeth(model, fit);
   const std::vector<std::uint8_t> to_edge = pixels_to_edge(face);
   const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
   AlbedoMap map;
@@ -87,7 +114,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       const auto& triangle = atlas.triangles[static_cast<std::size_t>(texels.raster.triangles[texel])];
       const Vec3f b = texels.weights_at(atlas, x, y);
       Vec3f point{}, normal{}, own{};
-      double parallel = 0, sx = 0, sy = 0, depth = 0;
+      double parallel = 0, trusted = 0, sx = 0, sy = 0, depth = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle[i];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -96,6 +123,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
           own[k] += b[i] * model_albedo[v][k];
         }
         parallel += static_cast<double>(b[i]) * face.parallel[v];
+        trusted += static_cast<double>(b[i]) * readable[v];
         sx += static_cast<double>(b[i]) * face.screen[v].x_px;
         sy += static_cast<double>(b[i]) * face.screen[v].y_px;
         depth += static_cast<double>(b[i]) * face.screen[v].depth_mm;
@@ -114,9 +142,9 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
         normal_length += static_cast<double>(normal[k]) * normal[k];
       }
       const double facing = dot / std::sqrt(length * normal_length);
-      if (facing <= 0) continue;
+      if (facing <= 0 || trusted <= 0) continue;
       const std::array<double, 3> lit = model::lit_of(fit.light, bilinear(rgb, sx, sy));
-      double weight = facing * facing * (to_edge[pixel] == 2 ? 0.4 : 1.0);
+      double weight = trusted * facing * facing * (to_edge[pixel] == 2 ? 0.4 : 1.0);
       for (std::size_t c = 0; c < 3; ++c) {
         const double strength = model::light_at(fit.light, c, parallel);
         weight *= std::clamp(strength / darkest_light - 1.0, 0.0, 1.0);
