@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/mmm/build.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "nodes/base/check.h"
+#include "nodes/mmm/morph.h"
+#include "nodes/mmm/sample_image.h"
+
+namespace face::mmm {
+namespace {
+
+std::int64_t difference(const Image& a, const Image& b) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += (a.pixels[i] - b.pixels[i]) * (a.pixels[i] - b.pixels[i]);
+  return sum;
+}
+
+std::int16_t fixed_point(float px) {
+  return static_cast<std::int16_t>(std::clamp(std::lround(64.0 * static_cast<double>(px)), -32767L, 32767L));
+}
+
+}  // namespace
+
+Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
+  std::set<std::size_t> chosen;
+  for (std::size_t i = 0; i < exemplars.rows; ++i) {
+    const double number = exemplars.at(i, 0);
+    check(number >= 0 && number < static_cast<double>(images.size()) && number == std::floor(number), "exemplar ", i,
+          " is image ", number, ", expected one of ", images.size());
+    chosen.insert(static_cast<std::size_t>(number));
+  }
+  check(!chosen.empty(), "there are no exemplars, expected at least one");
+  Mmm model;
+  for (const std::size_t frame : chosen) {
+    const auto image = images.at(frame);
+    const std::string name = "image " + images.id(frame);
+    if (model.prototypes.empty())
+      check_picture(*image, name);
+    else
+      check_size(*image, name, model.prototypes[0].image, "the first one");
+    model.prototypes.push_back({images.id(frame), *image, {}});
+  }
+  const std::size_t count = model.prototypes.size();
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::int64_t sum = 0;
+    for (std::size_t j = 0; j < count; ++j) sum += difference(model.prototypes[i].image, model.prototypes[j].image);
+    if (sum < least) least = sum, model.reference = static_cast<std::int64_t>(i);
+  }
+  const auto reference = static_cast<std::size_t>(model.reference);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    MmmPrototype& prototype = model.prototypes[i];
+    prototype.flow_64th_px.assign(prototype.image.pixels.size() / 3 * 2, 0);
+    if (i == reference) return;
+    const std::vector<Vec2f> flow = follow_mouth(model.prototypes[reference].image, prototype.image);
+    for (std::size_t p = 0; p < flow.size(); ++p) {
+      prototype.flow_64th_px[2 * p] = fixed_point(flow[p][0]);
+      prototype.flow_64th_px[2 * p + 1] = fixed_point(flow[p][1]);
+    }
+  });
+  return model;
+}
+
+}  // namespace face::mmm

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/mmm/sample_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/check.h"
+
+namespace face::mmm {
+namespace {
+
+void cubic(double t, float* w) {
+  const double t2 = t * t, t3 = t2 * t;
+  w[0] = static_cast<float>((-t3 + 2 * t2 - t) / 2);
+  w[1] = static_cast<float>((3 * t3 - 5 * t2 + 2) / 2);
+  w[2] = static_cast<float>((-3 * t3 + 4 * t2 + t) / 2);
+  w[3] = static_cast<float>((t3 - t2) / 2);
+}
+
+}  // namespace
+
+void sample_image(const Image& image, double x_px, double y_px, float* values) {
+  const double x = std::clamp(x_px, 0.0, image.width - 1.0), y = std::clamp(y_px, 0.0, image.height - 1.0);
+  const int left = static_cast<int>(x), top = static_cast<int>(y);
+  float wx[4], wy[4];
+  cubic(x - left, wx);
+  cubic(y - top, wy);
+  for (int c = 0; c < image.channels; ++c) values[c] = 0;
+  for (int j = 0; j < 4; ++j) {
+    const int row = std::clamp(top + j - 1, 0, image.height - 1);
+    for (int i = 0; i < 4; ++i) {
+      const int column = std::clamp(left + i - 1, 0, image.width - 1);
+      const auto at =
+          (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) *
+          static_cast<std::size_t>(image.channels);
+      for (int c = 0; c < image.channels; ++c)
+        values[c] += wy[j] * wx[i] * static_cast<float>(image.pixels[at + static_cast<std::size_t>(c)]);
+    }
+  }
+}
+
+std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)); }
+
+Image halve_image(const Image& image) {
+  Image half{image.width / 2, image.height / 2, image.channels, {}};
+  const auto at = [&](int x, int y, int c) {
+    return static_cast<int>(image.pixels[static_cast<std::size_t>((y * image.width + x) * image.channels + c)]);
+  };
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int c = 0; c < image.channels; ++c) {
+        const int sum =
+            at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+        half.pixels.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+      }
+  return half;
+}
+
+void check_picture(const Image& image, const std::string& name) {
+  check(image.width > 0 && image.height > 0 && image.channels == 3, name, " is ", image.width, " x ", image.height,
+        " pixels of ", image.channels, " channels, expected a picture of 3");
+  const std::size_t expected = 3u * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  check(image.pixels.size() == expected, name, " has ", image.pixels.size(), " bytes, expected ", expected);
+}
+
+void check_size(const Image& image, const std::string& name, const Image& model, const std::string& model_name) {
+  check_picture(image, name);
+  check(image.width == model.width && image.height == model.height, name, " is ", image.width, " x ", image.height,
+        " pixels, ", model_name, " is ", model.width, " x ", model.height);
+}
+
+}  // namespace face::mmm
