@@ -46,6 +46,7 @@ Eigen::MatrixXf examine(const Rig& rig, const engine::Seq<MeshPoints>& points, s
 
 // Orthonormal columns, largest first, as many as leave no vertex of the examined frames more than the tolerance.
 Eigen::MatrixXf components(Eigen::MatrixXf examined, const BakeShapesOptions& options) {
+  if (examined.cols() == 0) return examined;  // no frame has vertices
   const Eigen::MatrixXd gram = (examined.transpose() * examined).cast<double>();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
   const Eigen::Index count = gram.rows();

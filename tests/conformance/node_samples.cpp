@@ -131,6 +131,16 @@ AnyValue face_points(engine::Plugins&, int variant) {
   return held(landmarks);
 }
 
+// The 18 points of a lip tracker; another variant has the mouth farther open and the head elsewhere.
+AnyValue speaker_points(engine::Plugins&, int variant) {
+  face::Landmarks landmarks{{{"eye_inner_r", 26, 14, true}, {"eye_inner_l", 38, 14, true}, {"nose_tip", 32, 22, true}}};
+  for (int i = 0; i < 12; ++i)
+    landmarks.points.push_back({"lip_" + std::to_string(i), 32 - 8 * std::cos(M_PI * i / 6),
+                                32 - (3 + 0.4 * variant) * std::sin(M_PI * i / 6), true});
+  for (face::Landmark& point : landmarks.points) point.y_px += 0.05 * variant * (point.x_px - 20);
+  return held(landmarks);
+}
+
 // Four frames that are seconds apart: a face blinks now and then.
 AnyValue slow_timeline(engine::Plugins&, int variant) {
   face::Timeline timeline;
@@ -203,6 +213,9 @@ const std::map<std::string, Maker>& makers() {
       {"trajectory.read_visemes.file", viseme_table},
       {"trajectory.add_idle.timeline", slow_timeline},
       {"trajectory.gaussian_path.variances", matrices(6, 4)},
+      {"track.stabilise.landmarks", speaker_points},
+      {"track.stabilise.rest", speaker_points},
+      {"track.find_rest.landmarks", speaker_points},
       {"meshik.reconstruct.weights", few_weights},
       {"meshik.blend_linear.weights", few_weights},
       {"meshik.transfer_landmarks.weights", few_weights},

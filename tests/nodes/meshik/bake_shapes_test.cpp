@@ -109,6 +109,12 @@ TEST(BakeShapes, LeavesAStillHeadWithoutShapes) {
   EXPECT_TRUE(baked.weights[0].values.empty());
 }
 
+TEST(BakeShapes, IsAtRestWhereNoFrameHasVertices) {
+  const Baked baked = bake(rig_at_rest(), {{MeshPoints{}, MeshPoints{}}});
+  EXPECT_TRUE(baked.result.rig.shapes.empty());
+  EXPECT_EQ(baked.weights.size(), 2u);
+}
+
 TEST(BakeShapes, RejectsFramesOfAnotherMesh) {
   EXPECT_THROW_TEXT(bake(rig_at_rest(), {{MeshPoints{{{0, 0, 0}}}}}), "frame 0 has 1 vertices, expected 40 as the rig");
 }
