@@ -6,11 +6,54 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/random.h"
 
 namespace face::model {
 namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Spectrum {
+  Eigen::VectorXd values;   // falling
+  Eigen::MatrixXd vectors;  // columns
+};
+
+Spectrum all_of(const Eigen::MatrixXd& gram) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
+}
+
+// The `wanted` largest eigenvalues with their vectors by block Lanczos with full reorthogonalisation (Golub and
+// Underwood, The Block Lanczos Method for Computing Eigenvalues, 1977): a Krylov space that grows until the residuals
+// of all wanted pairs are below 1e-10 of the largest value; all of them where it would grow past half the matrix.
+Spectrum largest_of(const Eigen::MatrixXd& lower, Eigen::Index wanted) {
+  const Eigen::Index m = lower.rows(), block = 24;
+  const Eigen::MatrixXd gram = lower.selfadjointView<Eigen::Lower>();
+  if (3 * wanted + 4 * block > m / 2) return all_of(gram);
+  Random random(11);
+  Eigen::MatrixXd basis(m, 0), image(m, 0), next(m, block);
+  for (Eigen::Index c = 0; c < block; ++c)
+    for (Eigen::Index r = 0; r < m; ++r) next(r, c) = random.normal();
+  while (basis.cols() + block <= m / 2) {
+    for (int twice = 0; twice < 2 && basis.cols() > 0; ++twice) next -= basis * (basis.transpose() * next);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(next);
+    next = qr.householderQ() * Eigen::MatrixXd::Identity(m, block);
+    for (int twice = 0; twice < 2 && basis.cols() > 0; ++twice) next -= basis * (basis.transpose() * next);
+    next.colwise().normalize();
+    const Eigen::Index size = basis.cols();
+    basis.conservativeResize(Eigen::NoChange, size + block);
+    image.conservativeResize(Eigen::NoChange, size + block);
+    basis.rightCols(block) = next;
+    image.rightCols(block).noalias() = gram * next;
+    next = image.rightCols(block);
+    if (basis.cols() < 3 * wanted || (basis.cols() / block) % 3 != 0) continue;
+    const Spectrum small = all_of(basis.transpose() * image);
+    Spectrum ritz{small.values.head(wanted), basis * small.vectors.leftCols(wanted)};
+    const Eigen::MatrixXd residual = image * small.vectors.leftCols(wanted) - ritz.vectors * ritz.values.asDiagonal();
+    if (residual.colwise().norm().maxCoeff() <= 1e-10 * ritz.values(0)) return ritz;
+  }
+  return all_of(gram);
+}
 
 }  // namespace
 
@@ -43,25 +86,26 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
   for (std::size_t v = 0; v < vertices; ++v)
     if (!weights || weights->values[v] > 0)
       for (std::size_t k = 0; k < 3; ++k) region.push_back(static_cast<Eigen::Index>(3 * v + k));
-  const auto root = [&](Eigen::Index column) {
-    return weights ? std::sqrt(weights->values[static_cast<std::size_t>(column / 3)]) : 1.0;
-  };
+  std::vector<double> roots;
+  for (const Eigen::Index column : region)
+    roots.push_back(weights ? std::sqrt(weights->values[static_cast<std::size_t>(column / 3)]) : 1.0);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
   constexpr std::size_t block = 1024;
   for (std::size_t start = 0; start < region.size(); start += block) {
     const std::size_t end = std::min(region.size(), start + block);
-    Eigen::MatrixXd part(m, static_cast<Eigen::Index>(end - start));
-    for (std::size_t c = start; c < end; ++c)
-      part.col(static_cast<Eigen::Index>(c - start)) = root(region[c]) * x.col(region[c]);
+    RowMatrix part(m, static_cast<Eigen::Index>(end - start));
+    for (Eigen::Index j = 0; j < m; ++j)  // along memory
+      for (std::size_t c = start; c < end; ++c)
+        part(j, static_cast<Eigen::Index>(c - start)) = roots[c] * x(j, region[c]);
     gram.selfadjointView<Eigen::Lower>().rankUpdate(part);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-  const Eigen::VectorXd& values = solver.eigenvalues();
-  const double largest = std::sqrt(std::max(values(m - 1), 0.0));
   const auto wanted = std::min<Eigen::Index>(options.components, m);
+  const Spectrum spectrum = largest_of(gram, wanted);
+  const Eigen::VectorXd& values = spectrum.values;
+  const double largest = std::sqrt(std::max(values(0), 0.0));
   std::vector<double> w;
   for (Eigen::Index i = 0; i < wanted; ++i) {
-    const double root_value = std::sqrt(std::max(values(m - 1 - i), 0.0));
+    const double root_value = std::sqrt(std::max(values(i), 0.0));
     if (!(root_value > options.least_sigma * largest) || !(root_value > 0)) break;
     w.push_back(root_value);
   }
@@ -72,8 +116,7 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
   model.modes.resize(static_cast<std::size_t>(k * n));
   model.projections.assign(static_cast<std::size_t>(k * n), 0.0);
   Eigen::MatrixXd right(m, k);  // v~_i / w~_i
-  for (Eigen::Index i = 0; i < k; ++i)
-    right.col(i) = solver.eigenvectors().col(m - 1 - i) / w[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < k; ++i) right.col(i) = spectrum.vectors.col(i) / w[static_cast<std::size_t>(i)];
   Eigen::Map<RowMatrix> modes(model.modes.data(), k, n), projections(model.projections.data(), k, n);
   modes.noalias() = right.transpose() * x;
   // u~_i = D^(1/2) u_i, and a_i = u~_i . D^(1/2) x: the projection of a full face is D u_i.
