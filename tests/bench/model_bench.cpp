@@ -68,6 +68,7 @@ const World& world() {
 }
 
 void FitLandmarks(benchmark::State& state) {
+  world();  // made before the clock runs
   FaceFit fit;
   for (auto _ : state) fit = model::fit_landmarks(world().model, world().points, world().picture);
   state.counters["nme_percent"] = 100 * fit.landmark_nme;

@@ -113,6 +113,16 @@ TEST(FitImages, SaysThatPointsOfAnotherPictureSpoilAll) {
   EXPECT_FALSE(fits[1].problem.empty());
 }
 
+TEST(FitImages, KeepsTheIdsOfThePictures) {
+  const Shot shot = shoot(35, 0);
+  Landmarks few = shot.points;
+  few.points.resize(3);
+  const engine::Seq<FaceFit> fits = fit_images(test::head_model(), engine::Seq<Image>({shot.picture}, {"front"}),
+                                               engine::Seq<Landmarks>({few}, {"front"}), {.steps = 1});
+  EXPECT_EQ(fits.id(0), "front");
+  EXPECT_FALSE(fits.at(0)->converged);
+}
+
 TEST(FitImages, RejectsUnequalCounts) {
   const Image picture = test::blank(10, 10);
   EXPECT_THROW_TEXT(fit_pictures(test::head_model(), {&picture}, {}, {}), "there are 1 pictures and 0 sets of points");
