@@ -188,7 +188,7 @@ int main(int count, char** words) {
   cli::NewArguments make_new;
   CLI::App* new_command = app.add_subcommand("new", "Copy starter graphs into a folder of your own");
   new_command->add_option("folder", make_new.folder, "A new folder");
-  new_command->add_option("--from", make_new.from, "Which: speech, video, scan, laser and what --list says")
+  new_command->add_option("--from", make_new.from, "Which, as --list says; the beginning of a name is enough")
       ->type_name("NAME");
   new_command->add_flag("--list", make_new.list, "Say what there is");
 

@@ -38,7 +38,7 @@ std::vector<std::string> starters(const fs::path& graphs) {
   return names;
 }
 
-// The comment at the head of a graph, or its "doc".
+// The comment at the top of a graph, or its "doc".
 std::string purpose_of(const std::string& text) {
   std::string purpose;
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
@@ -85,7 +85,7 @@ int make_new(const Common& common, const NewArguments& arguments) {
     throw std::invalid_argument("command line: expected facegraph new FOLDER --from NAME, where NAME is one of " +
                                 text);
   }
-  // "video" is video_to_mesh where no other begins so.
+  // The beginning of a name is enough where no other begins so.
   std::vector<std::string> meant;
   for (const std::string& name : names) {
     if (name == arguments.from) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "engine/describe/media.h"
 #include "engine/describe/picture.h"
 #include "engine/describe/view.h"
 #include "engine/port.h"
@@ -144,27 +145,24 @@ std::string Previews::picture(const std::string& bytes, const std::string& suffi
   if (bytes_ + bytes.size() * 4 / 3 > page_bytes)
     return "<p class=\"dim\">A picture is left out: the page is full.</p>";
   bytes_ += bytes.size() * 4 / 3;
-  const std::string kind = suffix == ".svg"                        ? "svg+xml"
-                           : suffix == ".jpg" || suffix == ".jpeg" ? "jpeg"
-                                                                   : suffix.substr(1);
   return "<figure><img loading=\"lazy\" alt=\"" + escape_markup(caption.empty() ? "picture" : caption) +
-         "\" src=\"data:image/" + kind + ";base64," + base64(bytes) + "\">" + caption_of(caption) + "</figure>";
+         "\" src=\"data:" + engine::media_of(suffix).mime + ";base64," + base64(bytes) + "\">" + caption_of(caption) +
+         "</figure>";
 }
 
 std::string Previews::file(const engine::Value& value, const std::string& caption) {
   const engine::File& file = value.as<engine::File>();
   if (file.is_folder()) return "<p>A folder of files</p>";
   const std::string bytes = engine::view_value(value, "", plugins_), suffix = file.suffix();
-  for (const char* image : {".png", ".jpg", ".jpeg", ".svg", ".gif", ".webp"})
-    if (suffix == image && bytes.size() <= most_file_bytes) return picture(bytes, suffix, caption);
-  for (const char* text : {".txt", ".csv", ".json", ".md", ".TextGrid", ".obj", ".gltf"})
-    if (suffix == text) return "<pre>" + cut(bytes.substr(0, most_text + 8)) + "</pre>" + caption_of(caption);
-  const bool video = suffix == ".mp4" || suffix == ".webm", sound = suffix == ".wav";
-  if ((video || sound) && bytes.size() <= most_file_bytes && bytes_ + bytes.size() * 4 / 3 <= page_bytes) {
-    bytes_ += bytes.size() * 4 / 3;
-    const std::string word = video ? "video" : "audio";
-    return "<figure><" + word + " controls preload=\"metadata\" src=\"data:" + word + "/" + suffix.substr(1) +
-           ";base64," + base64(bytes) + "\"></" + word + ">" + caption_of(caption) + "</figure>";
+  const engine::Media media = engine::media_of(suffix);
+  if (media.element == "pre") return "<pre>" + cut(bytes.substr(0, most_text + 8)) + "</pre>" + caption_of(caption);
+  if (!media.element.empty() && bytes.size() <= most_file_bytes) {
+    if (media.element == "img") return picture(bytes, suffix, caption);
+    if (bytes_ + bytes.size() * 4 / 3 <= page_bytes) {
+      bytes_ += bytes.size() * 4 / 3;
+      return "<figure><" + media.element + " controls preload=\"metadata\" src=\"data:" + media.mime + ";base64," +
+             base64(bytes) + "\"></" + media.element + ">" + caption_of(caption) + "</figure>";
+    }
   }
   return "<p>A file " + escape_markup(suffix) + " of " + show_size(bytes.size()) + "</p>";
 }

@@ -34,7 +34,7 @@ table{border-collapse:collapse;font-size:.9rem}th,td{border-bottom:1px solid var
 td{font-variant-numeric:tabular-nums;overflow-wrap:anywhere}
 pre{background:#f3f5f7;border-radius:4px;padding:.5rem;margin:.3rem 0;overflow:auto;max-height:18rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.85rem}
 .previews{display:flex;flex-wrap:wrap;gap:.6rem;align-items:flex-start}.previews>*{max-width:100%}.previews>pre,.previews>.wide{flex:1 1 16rem}
-figure{margin:0}img,video{max-width:100%;max-height:22rem;border:1px solid var(--line);background:#fff}
+figure{margin:0}figure>:first-child{max-width:100%;max-height:22rem;border:1px solid var(--line);background:#fff}
 figcaption{font-size:.8rem;color:var(--dim)}
 svg.curve{width:40rem;max-width:100%;background:#f3f5f7}svg.curve path{fill:none;stroke:#2f6bb3;stroke-width:1.5;vector-effect:non-scaling-stroke}
 .changed{font-weight:600}
@@ -224,11 +224,11 @@ int report(const Common& common, const ReportArguments& arguments) {
   }
   const std::string name = std::filesystem::path(arguments.graph.path).filename().string();
   const std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, "
       "initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>" +
-      escape_markup(name) + "</title><style>" + style + "</style></head><body><main>\n<h1>" + escape_markup(name) +
-      "</h1>\n" + (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts + "</p>\n" +
+      escape_markup(name) + "</title><style>" + style + "</style><body><main>\n<h1>" + escape_markup(name) + "</h1>\n" +
+      (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts + "</p>\n" +
       list_of(other, "bad") + list_of(graph.notes, "warn") + "<pre>" + escape_markup(command_of(arguments.graph)) +
       "</pre>\n<section><div class=\"wide\">" + engine::graph_svg(graph, notes) +
       "</div></section>\n<section><h2>Outputs</h2><table>" + outputs + "</table></section>\n" + sections +

@@ -186,7 +186,8 @@ TEST(Declarations, FileAndFunctionHaveOneName) {
     EXPECT_TRUE(declaration.node.starts_with(area))
         << file << ":1: node " << declaration.node << " is not of area " << area;
     const std::string last = declaration.node.substr(declaration.node.find_last_of("._") + 1);
-    EXPECT_TRUE(stem == last || stem.ends_with("_" + last))
+    // flow.robust is in robust_flow.cpp: the area as the last word says nothing new.
+    EXPECT_TRUE(stem == last || stem.ends_with("_" + last) || stem == last + "_" + second_folder(file))
         << file << ":1: node " << declaration.node << " and its file end in different words";
   }
 }

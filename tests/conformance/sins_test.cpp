@@ -38,7 +38,7 @@ TEST(Sins, AreFoundByTheirRuleAndNamed) {
         "declared inert{\"why\"}"}},
       {"sins.ignore_input", {"sins.ignore_input: input other: every input counts: no sample changes the result"}},
       {"sins.mutate_input", {"sins.mutate_input: input number: inputs unchanged: it was changed by the call"}},
-      {"sins.open_undeclared", {"sins.open_undeclared: call: only its inputs are read: it opened /etc/hostname"}},
+      {"sins.open_undeclared", {"sins.open_undeclared: call: only its inputs are read: it opened /etc/os-release"}},
       {"sins.name_without_unit", {"sins.name_without_unit: parameter radius: its name does not end with its unit, mm"}},
       {"sins.swap_units", {"sins.swap_units: parameter window_s: its name promises s, its unit is ms"}},
       {"sins.default_out_of_range", {"sins.default_out_of_range: parameter share: default 2 is outside [0, 1]"}},

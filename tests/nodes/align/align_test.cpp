@@ -264,3 +264,10 @@ TEST(ChooseReference, TakesASlightlyOpenMouthOrTheNamedFrame) {
   EXPECT_EQ(choose("2"), "2");
   EXPECT_THROW_TEXT(choose("7"), "frame is \"7\", which no scan has; the first is \"0\", the last \"4\"");
 }
+
+TEST(FirstLayout, TakesTheFirstOfThoseWithTheMostMarkers) {
+  const Landmarks one{{{"a", 1, 1, true}}}, two{{{"b", 1, 1, true}, {"c", 2, 2, true}}},
+      other{{{"d", 1, 1, true}, {"e", 2, 2, true}}};
+  EXPECT_EQ(first_layout(engine::Seq<Landmarks>({one, two, other})).points[0].name, "b");
+  EXPECT_TRUE(first_layout(engine::Seq<Landmarks>()).points.empty());
+}

@@ -93,3 +93,13 @@ TEST(Relax, MinimisesTheEnergy) {
   EXPECT_NEAR(u.values[1], 4, 1e-2);
   EXPECT_NEAR(v.values[1], 1, 1e-2);
 }
+
+TEST(ScanChannels, OfACylinderAreItsRadiusAndGrey) {
+  CylinderScan scan;
+  scan.picture = {2, 1, 3, {10, 10, 10, 50, 50, 50}};
+  scan.radius_mm = {0, 80};
+  const FeatureMap map = cylinder_channels(scan);
+  EXPECT_EQ(map.valid, (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_EQ(map.values[1], 80);
+  EXPECT_NEAR(map.values[3], 50, 1e-3);
+}

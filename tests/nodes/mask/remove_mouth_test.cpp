@@ -5,6 +5,7 @@
 
 #include "nodes/base/random.h"
 #include "nodes/mask/fill_holes.h"
+#include "nodes/mask/reopen.h"
 #include "nodes/mask/review.h"
 #include "nodes/mask/smooth_depth.h"
 #include "tests/support/expect_throw_text.h"
@@ -221,4 +222,12 @@ TEST(Review, NamesTheFrameThatDepartsAndProposesItsThreshold) {
 TEST(Review, RejectsUnequalCounts) {
   EXPECT_THROW_TEXT(review(engine::Seq<DepthScan>(), engine::Seq<Image>(), engine::Seq<Table>(std::vector<Table>(2))),
                     "scans has 0 frames, interiors 0, reports 2");
+}
+
+TEST(Reopen, TakesDepthOutWhereTheInteriorIsWhite) {
+  DepthScan scan;
+  scan.picture = {3, 1, 1, {0, 0, 0}};
+  scan.depth_mm = {5, 6, 7};
+  EXPECT_EQ(reopen(scan, {3, 1, 1, {0, 255, 0}}).depth_mm, (std::vector<float>{5, 0, 7}));
+  EXPECT_THROW_TEXT(reopen(scan, {2, 1, 1, {0, 255}}), "interior has 2 pixels, the scan 3");
 }
