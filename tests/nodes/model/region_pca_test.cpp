@@ -225,3 +225,14 @@ TEST(JoinTakes, PutsTakesOneAfterTheOther) {
   EXPECT_EQ(joined.timeline.time_s, (std::vector<double>{0, 0.5, 1.0, 1.5, 1.75}));
   EXPECT_EQ(joined.phones.duration_s, 2);
 }
+
+TEST(RegionWeights, AreOneInTheMiddleAndNoneOutside) {
+  Mesh mesh;
+  mesh.points_mm.resize(2);
+  mesh.uvs = {{0.5f, 0.32f}, {0.1f, 0.9f}};
+  const Matrix weights = region_weights(mesh);
+  EXPECT_NEAR(weights.values[0], 1, 1e-9);
+  EXPECT_EQ(weights.values[1], 0);
+  mesh.uvs.pop_back();
+  EXPECT_THROW_TEXT(region_weights(mesh), "mesh has 1 uvs, expected one for each of its 2 points");
+}
