@@ -7,7 +7,7 @@
 
 namespace face::cluster {
 
-LandmarkPointsResult landmark_points(const engine::Seq<Landmarks>& tracks) {
+LandmarkPointsResult landmark_points(const engine::Seq<Landmarks>& tracks, const LandmarkPointsOptions& options) {
   check(!tracks.empty(), "tracks has no frames");
   LandmarkPointsResult result;
   const Landmarks first = *tracks.at(0);
@@ -19,8 +19,8 @@ LandmarkPointsResult landmark_points(const engine::Seq<Landmarks>& tracks) {
     for (std::size_t i = 0; i < here.points.size(); ++i)
       check(here.points[i].name == first.points[i].name, "landmark ", i, " of frame ", tracks.id(f), " is ",
             here.points[i].name, ", expected ", first.points[i].name, " as in frame ", tracks.id(0));
-    if (!std::all_of(here.points.begin(), here.points.end(), [](const Landmark& point) { return point.valid; }))
-      continue;
+    const auto lost = std::count_if(here.points.begin(), here.points.end(), [](const Landmark& p) { return !p.valid; });
+    if (lost > options.max_lost) continue;
     for (const Landmark& point : here.points) {
       result.points.values.push_back(point.x_px);
       result.points.values.push_back(point.y_px);

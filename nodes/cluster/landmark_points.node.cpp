@@ -6,7 +6,9 @@ using namespace engine::declare;
 using namespace face::cluster;
 
 NODE("cluster.landmark_points", &landmark_points, version{1},
-     doc{"Puts the landmarks of all frames without a lost one into a matrix."},
+     doc{"Puts the landmarks of all frames that have not lost too many into a matrix."},
      input{"tracks", "Landmarks of every frame"},
+     param("max_lost", &LandmarkPointsOptions::max_lost, range{0, 1000}, unit{"1"},
+           "So many landmarks of a frame may be lost: they count at their last good place"),
      output("points", &LandmarkPointsResult::points, "One row per frame: x and y of every landmark"),
      output("frames", &LandmarkPointsResult::frames, "Position of each of these frames in the sequence"));

@@ -39,7 +39,9 @@ void fit_key_shapes(const engine::Seq<Landmarks>& tracks, const KeyShapes& key_s
   if (neutral) append(*neutral, first, "neutral", rest.values);
   std::vector<bool> valid;
   for (const Landmarks& frame : tracks) {
-    valid.push_back(std::all_of(frame.points.begin(), frame.points.end(), [](const Landmark& p) { return p.valid; }));
+    const auto lost =
+        std::count_if(frame.points.begin(), frame.points.end(), [](const Landmark& p) { return !p.valid; });
+    valid.push_back(lost <= options.max_lost);
     if (!valid.back()) continue;
     append(frame, first, "frame " + tracks.id(valid.size() - 1), targets.values);
     ++targets.rows;

@@ -13,4 +13,6 @@ NODE("weights.fit_key_shapes", &fit_key_shapes, version{1},
            {{"nonnegative", FitMethod::nonnegative}, {"least_squares", FitMethod::least_squares}},
            "Weights >= 0, or of any sign for comparison"),
      param("sum_to_one", &FitKeyShapesOptions::sum_to_one, "The weights of a frame add up to one"),
-     output("weights", "One weight per key shape; none where a landmark is lost"));
+     param("max_lost", &FitKeyShapesOptions::max_lost, range{0, 1000}, unit{"1"},
+           "So many landmarks of a frame may be lost: they count at their last good place"),
+     output("weights", "One weight per key shape; none where too many landmarks are lost"));

@@ -128,6 +128,7 @@ TEST(LandmarkPoints, LeavesOutFramesWithALostLandmark) {
   EXPECT_EQ(found.points.rows, 2u);
   EXPECT_EQ(found.points.values, (std::vector<double>{0, 0, 1, 5, 2, 4, 3, 5}));
   EXPECT_EQ(found.frames.values, (std::vector<double>{0, 2}));
+  EXPECT_EQ(landmark_points(tracks, {1}).frames.values, (std::vector<double>{0, 1, 2}));  // at its last good place
   const KeyShapes keys = gather_key_shapes(tracks, found.frames, {2, 1, {0, 1}}, {2, 1, {1, 0}});
   EXPECT_EQ(keys.shapes[0].frame, "12");
   EXPECT_EQ(keys.shapes[1].size, 1);

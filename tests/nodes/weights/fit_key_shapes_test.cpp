@@ -51,6 +51,17 @@ TEST(FitKeyShapes, GivesNoWeightsToFramesWithALostLandmark) {
   EXPECT_NEAR(found[1].values[0], 1, 1e-6);
 }
 
+TEST(FitKeyShapes, CountsAFewLostLandmarksWhereTheyWereLastWhenAsked) {
+  const Landmarks neutral = mouth(10, 1);
+  Landmarks lost = mouth(20, 1);
+  lost.points[2].valid = false;
+  FitKeyShapesOptions options;
+  options.max_lost = 1;
+  EXPECT_NEAR(fit({lost}, &neutral, options)[0].values.at(0), 1, 1e-6);
+  lost.points[0].valid = false;
+  EXPECT_TRUE(fit({lost}, &neutral, options)[0].values.empty());
+}
+
 TEST(FitKeyShapes, CanHoldTheSumOfAbsoluteWeights) {
   FitKeyShapesOptions options;
   options.sum_to_one = true;
