@@ -17,7 +17,7 @@ NODE("mmm.normalise", &normalise, version{1},
      param("coarse_warps", &NormaliseOptions::coarse_warps, range{1, 50}, unit{"1"},
            "Linearisations on every level but the finest"),
      param("fine_warps", &NormaliseOptions::fine_warps, range{1, 50}, unit{"1"}, "Linearisations on the finest level"),
-     output("frame_from_reference", &FitPerspectiveResult::target_from_reference, "3 x 3, for whole pixels"),
+     output("target_from_reference", &FitPerspectiveResult::target_from_reference, "3 x 3, for whole pixels"),
      output("rms_px", &FitPerspectiveResult::rms_px, "Of the pixels that move as the plane does"),
      output("used", &FitPerspectiveResult::used, "How many these are"),
      output("solved", &FitPerspectiveResult::solved, "False where the pictures do not determine a perspective"));

@@ -279,7 +279,7 @@ TEST_F(BadInput, FileThatDoesNotFitIsNotPublishedInPart) {
   for (const std::string& word : publish) line += " '" + word + "'";
   const Ended full = wait(start({"-c", line}, "/bin/sh"));
   EXPECT_EQ(full.code, 1);
-  EXPECT_NE(full.output.find("error: cannot write out/"), std::string::npos) << full.output;
+  EXPECT_NE(full.output.find("failed: output talk.glb: cannot write out/"), std::string::npos) << full.output;
   for (const auto& entry : std::filesystem::directory_iterator(folder() / "out"))
     EXPECT_NE(entry.path().extension(), ".glb") << entry.path();
   const Ended again = command(publish);
