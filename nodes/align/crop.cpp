@@ -67,6 +67,10 @@ Image common_cover(const engine::Seq<Image>& covers, const CommonCoverOptions& o
   Image common;
   for (std::size_t t = 0; t < covers.size(); ++t) {
     const auto mask = covers.at(t);
+    check(mask->channels == 1 &&
+              mask->pixels.size() == static_cast<std::size_t>(mask->width) * static_cast<std::size_t>(mask->height),
+          "cover of ", covers.id(t), " has ", mask->pixels.size(), " values in ", mask->channels,
+          " channels, expected one for each of ", mask->width, " x ", mask->height, " cells");
     if (t == 0) {
       common = *mask;
       counts.assign(mask->pixels.size(), 0);

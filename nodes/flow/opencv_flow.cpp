@@ -70,6 +70,10 @@ FlowField run(cv::DenseOpticalFlow& algorithm, const FeatureMap& reference, cons
 
 FlowField dis_flow(const FeatureMap& reference, const FeatureMap& target, const FlowField* start,
                    const DisFlowOptions& options) {
+  if (start)
+    for (const Vec2f& d : start->displacement_px)
+      check(std::isfinite(d[0]) && std::isfinite(d[1]), "start has a displacement of (", d[0], ", ", d[1],
+            ") px, expected numbers");
   const cv::Ptr<cv::DISOpticalFlow> algorithm = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM);
   algorithm->setUseSpatialPropagation(false);
   return run(*algorithm, reference, target, start, options.channel);

@@ -28,6 +28,8 @@ std::int16_t fixed_point(float px) {
 }  // namespace
 
 Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
+  check(exemplars.columns == 1 && exemplars.values.size() == exemplars.rows, "exemplars is ", exemplars.rows, " x ",
+        exemplars.columns, " with ", exemplars.values.size(), " values, expected one column");
   std::set<std::size_t> chosen;
   for (std::size_t i = 0; i < exemplars.rows; ++i) {
     const double number = exemplars.at(i, 0);

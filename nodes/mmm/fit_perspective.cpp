@@ -112,9 +112,14 @@ FitPerspectiveResult fit_perspective(const FlowField& flow, const Image* mask, c
   const auto count = static_cast<std::size_t>(flow.width) * static_cast<std::size_t>(flow.height);
   check(flow.displacement_px.size() == count && flow.valid.size() == count, "flow has ", flow.displacement_px.size(),
         " displacements, expected ", count);
-  if (mask)
+  if (mask) {
+    check(mask->pixels.size() == static_cast<std::size_t>(mask->width) * static_cast<std::size_t>(mask->height) *
+                                     static_cast<std::size_t>(mask->channels),
+          "mask has ", mask->pixels.size(), " values, expected ", mask->width, " x ", mask->height, " pixels of ",
+          mask->channels, " channels");
     check(mask->width == flow.width && mask->height == flow.height, "mask is ", mask->width, " x ", mask->height,
           " pixels, flow is ", flow.width, " x ", flow.height);
+  }
   std::vector<PointPair> pairs;
   const int stride = static_cast<int>(options.stride_px);
   for (int y = 0; y < flow.height; y += stride)

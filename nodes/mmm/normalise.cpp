@@ -37,6 +37,10 @@ FitPerspectiveResult normalise(const Image& reference, const Image& frame, const
   if (mask) {
     check(mask->width == reference.width && mask->height == reference.height, "mask is ", mask->width, " x ",
           mask->height, " pixels, reference is ", reference.width, " x ", reference.height);
+    check(mask->pixels.size() == static_cast<std::size_t>(mask->width) * static_cast<std::size_t>(mask->height) *
+                                     static_cast<std::size_t>(mask->channels),
+          "mask has ", mask->pixels.size(), " values, expected ", mask->width, " x ", mask->height, " pixels of ",
+          mask->channels, " channels");
     int left = mask->width, top = mask->height, right = -1, bottom = -1;
     for (int y = 0; y < mask->height; ++y)
       for (int x = 0; x < mask->width; ++x)

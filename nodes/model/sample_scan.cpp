@@ -141,6 +141,9 @@ SampleScanResult sample_scan(const DepthScan& reference, const DepthScan& target
   check_scan(target, "target");
   check(flow.width == reference.picture.width && flow.height == reference.picture.height, "flow is ", flow.width, " x ",
         flow.height, " pixels, reference ", reference.picture.width, " x ", reference.picture.height);
+  const std::size_t count = reference.depth_mm.size();
+  check(flow.displacement_px.size() == count && flow.valid.size() == count, "flow has ", flow.displacement_px.size(),
+        " displacements and ", flow.valid.size(), " flags, expected ", count);
   const ScanRays from(reference.camera), to(target.camera);
   std::vector<std::array<double, 4>> moved(grid.vertex.size(), {0, 0, 0, 0});  // displacement in mm, grey
   std::vector<double> known(grid.vertex.size(), 0);

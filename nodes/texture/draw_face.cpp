@@ -97,6 +97,16 @@ std::vector<float> drawn_share(const Rig& person) {
 
 FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
                     int samples) {
+  check(albedo.width > 0 && albedo.height > 0 &&
+            albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
+        "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
+  const auto all_finite = [](const Vec3f& p) { return std::isfinite(p[0] + p[1] + p[2]); };
+  check(std::all_of(points_mm.begin(), points_mm.end(), all_finite) &&
+            std::all_of(person.neutral.points_mm.begin(), person.neutral.points_mm.end(), all_finite),
+        "person has a vertex that is not a number, or infinite");
+  const auto& uvs = person.neutral.uvs;
+  check(std::all_of(uvs.begin(), uvs.end(), [](const Vec2f& uv) { return std::isfinite(uv[0] + uv[1]); }),
+        "person has a uv that is not a number, or infinite");
   const Mesh& mesh = person.neutral;
   const PosedFace face = pose_face(mesh, points_mm, fit, samples);
   const std::vector<float> share = drawn_share(person);

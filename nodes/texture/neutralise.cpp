@@ -15,6 +15,9 @@ namespace face::texture {
 Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo) {
   check(rig.neutral.points_mm.size() == model.mean.points_mm.size(), "the rig has ", rig.neutral.points_mm.size(),
         " vertices, the model ", model.mean.points_mm.size());
+  check(albedo.width > 0 && albedo.height > 0 &&
+            albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
+        "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
   Rig person = rig;
   person.neutral.points_mm = model::pose_model(model, fit.identity, {});
   Mesh& mesh = person.neutral;

@@ -14,6 +14,14 @@ namespace {
 void check_inputs(const engine::Window<Image>& frames, const Landmarks& start,
                   const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
   const Image& frame = frames.centre();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Image& image = frames[i];
+    const auto expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                          static_cast<std::size_t>(image.channels);
+    check(image.width > 0 && image.height > 0 && image.channels > 0 && image.pixels.size() == expected, "a frame has ",
+          image.pixels.size(), " values, expected ", image.width, " x ", image.height, " pixels of ", image.channels,
+          " channels");
+  }
   check(options.window_px % 2 == 1, "window_px is ", options.window_px, ", expected an odd number");
   for (const Landmark& point : start.points)
     if (!is_inside(point.x_px, point.y_px, frame.width, frame.height))
