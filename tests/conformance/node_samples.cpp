@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/port.h"
+#include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
 #include "nodes/types/table.h"
@@ -191,6 +192,29 @@ Maker columns_of(std::vector<std::vector<double>> lists) {
   };
 }
 
+// A mask: one channel of the sample picture.
+AnyValue grey_picture(engine::Plugins&, int variant) {
+  const AnyValue sample = test::sample("image", variant);
+  const auto& picture = *static_cast<const face::Image*>(sample.get());
+  face::Image grey{picture.width, picture.height, 1, {}};
+  for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels))
+    grey.pixels.push_back(picture.pixels[i]);
+  return held(grey);
+}
+
+// The 68 points with the names of a track: two digits.
+AnyValue two_digit_points(engine::Plugins& plugins, int variant) {
+  face::Landmarks landmarks = *static_cast<const face::Landmarks*>(face_points(plugins, variant).get());
+  for (face::Landmark& point : landmarks.points)
+    if (point.name.size() == 1) point.name = "0" + point.name;
+  return held(landmarks);
+}
+
+// A head that moved by some pixels.
+AnyValue perspective(engine::Plugins&, int variant) {
+  return held(Matrix{3, 3, {1, 0.01, 1.5 + variant, -0.01, 1, 2, 0, 1e-4, 1}});
+}
+
 const std::map<std::string, Maker>& makers() {
   const std::string pocketsphinx = "/usr/share/pocketsphinx/model/en-us/";
   static const std::map<std::string, Maker> all = {
@@ -220,6 +244,17 @@ const std::map<std::string, Maker>& makers() {
       {"meshik.blend_linear.weights", few_weights},
       {"meshik.transfer_landmarks.weights", few_weights},
       {"meshik.solve.start", few_weights},
+      {"meshik.transfer_landmarks.key_shapes", speaker_points},
+      {"meshik.transfer_landmarks.reference", speaker_points},
+      {"meshik.transfer_landmarks.landmarks", speaker_points},
+      {"mmm.scale_motion.reference", speaker_points},
+      {"mmm.scale_motion.landmarks", speaker_points},
+      {"mmm.head_mask.landmarks", two_digit_points},
+      {"mmm.warp_perspective.perspective", perspective},
+      {"mmm.build.exemplars", columns_of({{0, 2}, {1, 3}})},
+      {"model.region_pca.weights", matrices(525, 1)},
+      {"mask.reopen.interior", grey_picture},
+      {"texture.reveal_background.mask", grey_picture},
       {"meshik.reconstruct_matrix.reference", matrices(4, 3)},
       {"meshik.reconstruct_matrix.examples", matrices(4, 12)},
       {"meshik.reconstruct_matrix.faces", faces},
@@ -255,6 +290,8 @@ const std::map<std::string, Maker>& made_types() {
   static const std::map<std::string, Maker> all = {
       {"mesh_space", made_by("meshik.prepare", "space")},
       {"morphable_model", made_by("model.from_rig", "model")},
+      {"shape_model", made_by("model.region_pca", "model")},
+      {"mmm", made_by("mmm.build", "model")},
   };
   return all;
 }
@@ -273,8 +310,26 @@ const std::map<std::string, std::string>& shown_elsewhere() {
   static const std::string no_such_part =
       "the sample's head has no part of that name; the embedded head has, in tests/nodes/phantom";
   static const std::string nothing_lost = "no point is lost in four smooth pictures; tests/nodes/track loses some";
+  static const std::string nothing_drawn =
+      "nothing of the sample's head is drawn within its picture; tests/nodes/texture/texture_test.cpp draws one";
+  static const std::string fit_undrawn =
+      "nothing of the sample's head is drawn within its picture; tests/nodes/texture/draw_fit_test.cpp draws one";
+  static const std::string same_uvs =
+      "the samples of meshes share their uvs; tests/nodes/model/region_weights_test.cpp has others";
   static const std::string not_reached = "samples that lead there are still to be made (node_samples.cpp)";
   static const std::map<std::string, std::string> all = {
+      {"texture.reanimate.albedo", nothing_drawn},
+      {"texture.reanimate.background", nothing_drawn},
+      {"texture.reanimate.fit", nothing_drawn},
+      {"texture.reanimate.model", nothing_drawn},
+      {"texture.reanimate.person", nothing_drawn},
+      {"texture.reanimate.weights", nothing_drawn},
+      {"texture.reanimate.moments", nothing_drawn},
+      {"texture.reanimate.samples", nothing_drawn},
+      {"texture.draw_fit.fit", fit_undrawn},
+      {"texture.draw_fit.model", fit_undrawn},
+      {"texture.draw_fit.opacity", fit_undrawn},
+      {"model.region_weights.mesh", same_uvs},
       {"cluster.affinity_propagation.method", not_reached},
       {"cluster.key_shapes.frames", not_reached},
       {"cluster.key_shapes.labels", not_reached},
@@ -347,7 +402,6 @@ const std::map<std::string, std::string>& shown_elsewhere() {
       {"trajectory.add_idle.blink", not_reached},
       {"trajectory.speak_gaussian.covariance", not_reached},
       {"align.choose_reference.openness", not_reached},
-      {"align.choose_reference.interiors", not_reached},
       {"align.link_markers.tolerance_px", not_reached},
       {"align.link_markers.reference", not_reached},
       {"align.orient.scale_mm", not_reached},
