@@ -80,6 +80,7 @@ bool read_graph(const GraphArguments& arguments, const engine::Plugins& plugins,
     return false;
   }
   graph = std::move(reading.graph);
+  for (const std::string& note : graph.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   return true;
 }
 

@@ -136,7 +136,21 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
   return model;
 }
 
+namespace {
+
+void check_sizes(const ShapeModel& model) {
+  const std::size_t numbers = 3 * model.vertices;
+  check(model.mean_mm.size() == numbers, "the model's mean has ", model.mean_mm.size(), " numbers, expected ", numbers,
+        ", 3 for each of its vertices");
+  check(model.modes.size() == model.size() * numbers && model.projections.size() == model.size() * numbers,
+        "the model's modes and projections have ", model.modes.size(), " and ", model.projections.size(),
+        " numbers, expected ", model.size() * numbers, " for ", model.size(), " components");
+}
+
+}  // namespace
+
 std::vector<double> coefficients_of(const ShapeModel& model, const std::vector<double>& shape_mm) {
+  check_sizes(model);
   check(shape_mm.size() == 3 * model.vertices, "shape has ", shape_mm.size() / 3, " points, the model ",
         model.vertices);
   const auto n = static_cast<Eigen::Index>(shape_mm.size()), k = static_cast<Eigen::Index>(model.size());
@@ -149,6 +163,7 @@ std::vector<double> coefficients_of(const ShapeModel& model, const std::vector<d
 }
 
 std::vector<double> shape_of(const ShapeModel& model, const std::vector<double>& coefficients, double amplify) {
+  check_sizes(model);
   check(coefficients.size() <= model.size(), "coefficients has ", coefficients.size(), " values, the model ",
         model.size(), " components");
   const auto n = static_cast<Eigen::Index>(3 * model.vertices), k = static_cast<Eigen::Index>(coefficients.size());

@@ -23,6 +23,10 @@ Image continue_background(const Image& picture, const Image& mask, const FaceFit
   check(mask.width == picture.width && mask.height == picture.height && mask.channels == 1, "the mask is ", mask.width,
         " x ", mask.height, " with ", mask.channels, " channels, expected ", picture.width, " x ", picture.height,
         " with 1");
+  check(mask.pixels.size() == static_cast<std::size_t>(std::max(0, mask.width)) *
+                                  static_cast<std::size_t>(std::max(0, mask.height)) &&
+            !mask.pixels.empty(),
+        "the mask of ", mask.width, " x ", mask.height, " has ", mask.pixels.size(), " pixels");
   const Image source = render::rgb_image(picture);
   Image result = source;
   const double scale = face_scale_px(fit);

@@ -30,6 +30,9 @@ Image reveal_background(const engine::Window<Image>& frame, const engine::Window
       const long index = static_cast<long>(centre) + side * static_cast<long>(distance);
       if (index < 0 || index >= static_cast<long>(frame.size())) continue;
       const auto i = static_cast<std::size_t>(index);
+      check(mask[i].pixels.size() == mask.centre().pixels.size() && mask[i].width == mask.centre().width,
+            "a mask around this one is ", mask[i].width, " x ", mask[i].height, ", expected ", mask.centre().width,
+            " x ", mask.centre().height);
       const cv::Mat hidden = widened(mask[i]);
       const Image other = render::rgb_image(frame[i]);
       for (std::size_t p = 0; p < missing.total(); ++p) {
