@@ -28,6 +28,7 @@ std::int16_t fixed_point(float px) {
 }  // namespace
 
 Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
+  check(exemplars.rows > 0, "there are no exemplars, expected at least one");
   check(exemplars.columns == 1 && exemplars.values.size() == exemplars.rows, "exemplars is ", exemplars.rows, " x ",
         exemplars.columns, " with ", exemplars.values.size(), " values, expected one column");
   std::set<std::size_t> chosen;
@@ -37,7 +38,6 @@ Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
           " is image ", number, ", expected one of ", images.size());
     chosen.insert(static_cast<std::size_t>(number));
   }
-  check(!chosen.empty(), "there are no exemplars, expected at least one");
   Mmm model;
   for (const std::size_t frame : chosen) {
     const auto image = images.at(frame);

@@ -111,9 +111,6 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
                              const TrackVideoOptions& options) {
   check(frame.width == start.image_width_px && frame.height == start.image_height_px, "the frame is ", frame.width,
         " x ", frame.height, " pixels, the start was fitted on ", start.image_width_px, " x ", start.image_height_px);
-  check(albedo.width > 0 && albedo.height > 0 &&
-            albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
-        "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
   const FaceFit& before = prior ? prior->fit : start;
   TrackVideoResult result;
   result.fit = before;
@@ -123,6 +120,9 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
     result.fit.problem = "the start could not be fitted: " + start.problem;
     return result;
   }
+  check(albedo.width > 0 && albedo.height > 0 &&
+            albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
+        "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
   Tracked tracked{
       &model, &options, make_skin_basis(model, start.identity.size(), static_cast<std::size_t>(options.expressions), 0),
       {},     {},       {},
