@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
-#include <csignal>
 #include <cstdio>
 #include <set>
 
 #include "cli/commands.h"
 #include "cli/events.h"
+#include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/trace.h"
 #include "engine/run/run.h"
 
 namespace cli {
-namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-void on_signal(int number) { stop_signal = number; }
-
-}  // namespace
 
 int run(const Common& common, const RunArguments& arguments) {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-
+  catch_interrupts();
   const auto plugins = open_plugins(common);
   engine::Graph graph;
   if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
@@ -49,13 +35,7 @@ int run(const Common& common, const RunArguments& arguments) {
   options.to = arguments.to;
   options.elements = arguments.elements;
   options.out_folder = arguments.out;
-  options.stop_requested = [] { return stop_signal != 0; };
-  options.abandon = [] {
-    // A task does not heed its stop request. The store is always in a state to be left.
-    constexpr char text[] = "\ninterrupted: finished tasks are kept\n";
-    if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(interrupted);
-    ::_exit(interrupted);
-  };
+  stop_on_interrupt(options);
   std::set<std::string> told;  // failures are told as they happen
   options.observer = [&](const engine::RunEvent& event) {
     if (event.kind == engine::RunEvent::Kind::failed) told.insert(event.text);
@@ -71,7 +51,7 @@ int run(const Common& common, const RunArguments& arguments) {
                  "warning: the store's object %s was damaged: it was removed, and is made again where it is read\n",
                  digest.brief().c_str());
   if (!arguments.summary.empty()) write_summary(arguments.summary, result);
-  if (stop_signal != 0) {
+  if (interrupt_requested()) {
     std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);
     return interrupted;
   }

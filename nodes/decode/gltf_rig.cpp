@@ -12,6 +12,7 @@
 #include <map>
 
 #include "nodes/base/check.h"
+#include "nodes/base/srgb.h"
 #include "nodes/decode/gltf_accessor.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/mouth_marks.h"
@@ -72,10 +73,7 @@ Matrix matrix_of(const tinygltf::Node& node) {
   return m;
 }
 
-float srgb(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
+float srgb(double linear) { return static_cast<float>(srgb_of(std::clamp(linear, 0.0, 1.0))); }
 
 // The file's vertices as they are, before those that texture seams doubled are merged.
 struct Raw {

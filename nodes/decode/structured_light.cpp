@@ -9,6 +9,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/fringe_patterns.h"
+#include "nodes/base/srgb.h"
 
 namespace face::decode {
 namespace {
@@ -74,8 +75,7 @@ class Triangulation {
 
 std::uint8_t srgb_code(double light) {
   const double clamped = std::clamp(light, 0.0, 1.0);
-  const double coded = clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * coded));
+  return static_cast<std::uint8_t>(std::lround(255 * srgb_of(clamped)));
 }
 
 // The projector's column and the depth of a pixel; depth 0 where it cannot be decoded.

@@ -11,6 +11,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
+#include "nodes/base/srgb.h"
 #include "nodes/export/gltf_buffer.h"
 #include "nodes/export/timed_frames.h"
 #include "nodes/render/triangulate.h"
@@ -113,7 +114,7 @@ std::vector<Vec3f> unit_normals(std::vector<Vec3f> normals) {
   return normals;
 }
 
-float linear(float srgb) { return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f); }
+float linear(float srgb) { return static_cast<float>(linear_of(static_cast<double>(srgb))); }
 
 json material_of(const Part& part) {
   const bool thin = part.name.find("lash") != std::string::npos;

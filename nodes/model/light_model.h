@@ -4,18 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nodes/base/srgb.h"
 #include "nodes/types/face_fit.h"
 
 namespace face::model {
-
-// sRGB's transfer function (IEC 61966-2-1), continued above 1, and its derivative and inverse. Linear below the toe.
-inline double srgb_of(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-inline double srgb_slope(double linear) {
-  return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
-}
-inline double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
 // Rec. 709 weights: what contrast mixes colour with.
 inline constexpr std::array<double, 3> luma = {0.2126, 0.7152, 0.0722};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nodes/base/srgb.h"
+
 namespace face::phantom {
 
 // Light to sRGB as a number, by a table over its square root, where the curve is nearly straight.
@@ -13,7 +15,7 @@ class SrgbCurve {
   SrgbCurve() {
     for (std::size_t i = 0; i < values_.size(); ++i) {
       const double root = static_cast<double>(i) / steps, light = root * root;
-      values_[i] = static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+      values_[i] = static_cast<float>(srgb_of(light));
     }
   }
   float operator()(float light) const {

@@ -13,6 +13,7 @@
 #include "nodes/phantom/sensor_noise.h"
 #include "nodes/phantom/srgb_curve.h"
 #include "nodes/phantom/vector3.h"
+#include "nodes/render/draw_lashes.h"
 #include "nodes/render/rgb_image.h"
 #include "nodes/render/scene.h"
 
@@ -150,52 +151,16 @@ Shaded shade(const Lit& lit, const render::Triangulation& mesh, const std::vecto
   return {colour, point[3]};
 }
 
-// Lashes have a raster of their own, no larger than they are.
-struct Lashes {
-  render::Raster raster;
-  std::vector<render::ScreenPoint> screen;
-  int x0 = 0;
-  int y0 = 0;
-};
-
-Lashes draw_lashes(const render::Scene& scene, const render::RasterOptions& whole) {
-  Lashes lashes;
-  float x0 = 1e9f, y0 = 1e9f, x1 = -1e9f, y1 = -1e9f;
-  for (const render::Triangle& t : scene.lashes.triangles)
-    for (const std::uint32_t v : t) {
-      x0 = std::min(x0, scene.screen[v].x_px);
-      x1 = std::max(x1, scene.screen[v].x_px);
-      y0 = std::min(y0, scene.screen[v].y_px);
-      y1 = std::max(y1, scene.screen[v].y_px);
-    }
-  const auto inside = [](float value, int size) {
-    return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(size)));
-  };
-  lashes.x0 = inside(std::floor(x0), whole.width_px);
-  lashes.y0 = inside(std::floor(y0), whole.height_px);
-  render::RasterOptions options = whole;
-  options.width_px = inside(std::ceil(x1) + 1, whole.width_px) - lashes.x0;
-  options.height_px = inside(std::ceil(y1) + 1, whole.height_px) - lashes.y0;
-  if (options.width_px <= 0 || options.height_px <= 0) return lashes;
-  lashes.screen = scene.screen;
-  for (render::ScreenPoint& point : lashes.screen) {
-    point.x_px -= static_cast<float>(lashes.x0);
-    point.y_px -= static_cast<float>(lashes.y0);
-  }
-  lashes.raster = render::rasterize(lashes.screen, scene.lashes.triangles, options);
-  return lashes;
-}
-
 // The picture before the camera's colours, height x width.
 class Exposure {
  public:
   Exposure(const Lit& lit, const render::RasterOptions& raster, render::Raster opaque, int samples)
-      : lit_(lit), opaque_(std::move(opaque)), lashes_(draw_lashes(lit.scene, raster)), n_(samples) {}
+      : lit_(lit), opaque_(std::move(opaque)), lashes_(render::draw_lashes(lit.scene, raster)), n_(samples) {}
 
   // The mean of a pixel's samples over this background.
   Vec3f pixel(int column, int row, const Vec3f& background) const {
     const int x = column * n_, y = row * n_;
-    if (!near_lashes(x, y) && alike(x, y)) return opaque_colour(x, y, background);
+    if (!lashes_.touches(x, y, n_) && alike(x, y)) return opaque_colour(x, y, background);
     Vec3f sum = {0, 0, 0};
     for (int j = 0; j < n_; ++j)
       for (int i = 0; i < n_; ++i) {
@@ -223,10 +188,6 @@ class Exposure {
     for (std::size_t c = 0; c < 3; ++c) colour[c] += shaded.opacity * (shaded.colour[c] - colour[c]);
     return colour;
   }
-  bool near_lashes(int x, int y) const {
-    return y + n_ > lashes_.y0 && y < lashes_.y0 + lashes_.raster.height_px && x + n_ > lashes_.x0 &&
-           x < lashes_.x0 + lashes_.raster.width_px;
-  }
   // Samples that see the same part at nearly the same depth differ by little: they are shaded once, at the first one.
   bool alike(int x, int y) const {
     const std::size_t first = opaque_.index(x, y);
@@ -245,7 +206,7 @@ class Exposure {
 
   const Lit& lit_;
   render::Raster opaque_;
-  Lashes lashes_;
+  render::Lashes lashes_;
   int n_;
 };
 

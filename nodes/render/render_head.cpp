@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/render/draw_lashes.h"
 #include "nodes/render/rasterize.h"
 #include "nodes/render/scene.h"
 #include "nodes/render/shade.h"
@@ -71,48 +72,6 @@ Bounds framed_bounds(const Rig& rig, Framing framing) {
   return bounds;
 }
 
-// The lashes have a raster of their own, no larger than they are.
-struct Overlay {
-  Raster raster;
-  std::vector<ScreenPoint> screen;  // V, shifted
-  int x0 = 0;                       // place in the picture's raster
-  int y0 = 0;
-
-  std::int32_t triangle_at(int x, int y) const {
-    const int column = x - x0, row = y - y0;
-    if (column < 0 || row < 0 || column >= raster.width_px || row >= raster.height_px) return -1;
-    return raster.triangles[raster.index(column, row)];
-  }
-};
-
-Overlay draw_lashes(const Scene& scene, const RasterOptions& whole) {
-  Overlay overlay;
-  float x0 = 1e9f, y0 = 1e9f, x1 = -1e9f, y1 = -1e9f;
-  for (const Triangle& t : scene.lashes.triangles)
-    for (const std::uint32_t v : t) {
-      x0 = std::min(x0, scene.screen[v].x_px);
-      x1 = std::max(x1, scene.screen[v].x_px);
-      y0 = std::min(y0, scene.screen[v].y_px);
-      y1 = std::max(y1, scene.screen[v].y_px);
-    }
-  const auto inside = [](float value, int size) {
-    return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(size)));
-  };
-  overlay.x0 = inside(std::floor(x0), whole.width_px);
-  overlay.y0 = inside(std::floor(y0), whole.height_px);
-  RasterOptions options = whole;
-  options.width_px = inside(std::ceil(x1) + 1, whole.width_px) - overlay.x0;
-  options.height_px = inside(std::ceil(y1) + 1, whole.height_px) - overlay.y0;
-  if (options.width_px <= 0 || options.height_px <= 0) return overlay;
-  overlay.screen = scene.screen;
-  for (ScreenPoint& point : overlay.screen) {
-    point.x_px -= static_cast<float>(overlay.x0);
-    point.y_px -= static_cast<float>(overlay.y0);
-  }
-  overlay.raster = rasterize(overlay.screen, scene.lashes.triangles, options);
-  return overlay;
-}
-
 struct Shaded {
   Vec3f colour;
   float opacity;
@@ -141,14 +100,14 @@ Shaded shade_sample(const Scene& scene, const Triangulation& mesh, const std::ve
 struct Pictures {
   const Scene& scene;
   const Raster& opaque;
-  const Overlay& lashes;
+  const Lashes& lashes;
   Vec3f background;
 };
 
 bool lash_covers(const Pictures& pictures, int x, int y) {
   const std::int32_t lash = pictures.lashes.triangle_at(x, y);
   if (lash < 0) return false;
-  const Overlay& overlay = pictures.lashes;
+  const Lashes& overlay = pictures.lashes;
   return overlay.raster.inverse_depth_per_mm[overlay.raster.index(x - overlay.x0, y - overlay.y0)] >
          pictures.opaque.inverse_depth_per_mm[pictures.opaque.index(x, y)];
 }
@@ -163,7 +122,7 @@ Vec3f sample_colour(const Pictures& pictures, int x, int y) {
   const Scene& scene = pictures.scene;
   Vec3f colour = opaque_colour(pictures, x, y);
   if (lash_covers(pictures, x, y)) {
-    const Overlay& overlay = pictures.lashes;
+    const Lashes& overlay = pictures.lashes;
     const Shaded lash =
         shade_sample(scene, scene.lashes, overlay.screen, overlay.triangle_at(x, y), x - overlay.x0, y - overlay.y0);
     for (std::size_t c = 0; c < 3; ++c) colour[c] += lash.opacity * (lash.colour[c] - colour[c]);
@@ -190,15 +149,9 @@ bool alike(const Pictures& pictures, int x, int y, int n) {
   return same;  // where nothing is seen, depths of 0 tell it
 }
 
-bool near_lashes(const Pictures& pictures, int x, int y, int n) {
-  const Overlay& lashes = pictures.lashes;
-  return y + n > lashes.y0 && y < lashes.y0 + lashes.raster.height_px && x + n > lashes.x0 &&
-         x < lashes.x0 + lashes.raster.width_px;
-}
-
 // Mean of a pixel's samples.
 Vec3f pixel_colour(const Pictures& pictures, int x, int y, int n) {
-  if (!near_lashes(pictures, x, y, n) && alike(pictures, x, y, n)) return opaque_colour(pictures, x, y);
+  if (!pictures.lashes.touches(x, y, n) && alike(pictures, x, y, n)) return opaque_colour(pictures, x, y);
   Vec3f sum = {0, 0, 0};
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
@@ -260,7 +213,7 @@ Image render_head(const Rig& rig, const Weights& weights, const RenderHeadOption
   const Raster opaque = rasterize(scene.screen, scene.opaque.triangles, raster_options);
   add_screen_occlusion(opaque, camera, scene);
   light_scene(scene);
-  const Overlay lashes = draw_lashes(scene, raster_options);
+  const Lashes lashes = draw_lashes(scene, raster_options);
   const Vec3f background = {srgb.linear(static_cast<float>(options.background_red)),
                             srgb.linear(static_cast<float>(options.background_green)),
                             srgb.linear(static_cast<float>(options.background_blue))};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/render/shade.h"
 
+#include "nodes/base/srgb.h"
+
 namespace face::render {
 namespace {
 
@@ -14,8 +16,6 @@ void add_wrapped(const Light& light, const Vec3f& normal, float scatter, Vec3f& 
     sum[c] += light.colour[c] * share / (1.0f + wrap);  // the second division keeps the energy
   }
 }
-
-double to_linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
 }  // namespace
 
@@ -34,13 +34,13 @@ Vec3f diffuse_light(const Vec3f& normal, float scatter) {
 
 SrgbTable::SrgbTable() : linear_(linear_size + 2), encoded_(encoded_size + 1) {
   for (int i = 0; i < linear_size + 2; ++i)
-    linear_[static_cast<std::size_t>(i)] = static_cast<float>(to_linear(static_cast<double>(i) / linear_size));
+    linear_[static_cast<std::size_t>(i)] = static_cast<float>(linear_of(static_cast<double>(i) / linear_size));
   // Filled from the thresholds of the 8-bit codes: 256 powers and not 16,384.
   int code = 0;
-  double threshold = to_linear(0.5 / 255.0);
+  double threshold = linear_of(0.5 / 255.0);
   for (int i = 0; i <= encoded_size; ++i) {
     while (code < 255 && static_cast<double>(i) / encoded_size >= threshold)
-      threshold = to_linear((++code + 0.5) / 255.0);
+      threshold = linear_of((++code + 0.5) / 255.0);
     encoded_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(code);
   }
 }

@@ -163,7 +163,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
       if (!is_mouth) value = model::shown(fit.light, lit);
       for (std::size_t c = 0; is_mouth && c < 3; ++c) {
         const double arrives = std::min(1.0, exposure + (1.0 - exposure) * mouth.bounced[c]);
-        value[c] = white[c] * model::srgb_of(arrives * colour[c]) / model::srgb_of(full_albedo);
+        value[c] = white[c] * srgb_of(arrives * colour[c]) / srgb_of(full_albedo);
       }
       layer.alpha[pixel] += drawn * part_of_pixel;
       for (std::size_t c = 0; c < 3; ++c)

@@ -40,7 +40,7 @@ Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, 
       if (colour[0] <= 0) continue;
       for (std::size_t c = 0; c < 3; ++c)
         mesh.colors_srgb[v][c] = static_cast<float>(
-            std::clamp(model::srgb_of(std::min(1.0f, colour[c] / std::max(0.02f, part_albedo[v][c]))), 0.0, 1.0));
+            std::clamp(srgb_of(std::min(1.0f, colour[c] / std::max(0.02f, part_albedo[v][c]))), 0.0, 1.0));
     }
   return person;
 }
