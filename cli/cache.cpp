@@ -60,7 +60,7 @@ std::int64_t store_limit(const Common& common) {
 
 void keep_to_limit(engine::Store& store, std::int64_t limit_bytes) {
   const auto limit = static_cast<std::uint64_t>(limit_bytes);
-  if (store.stat().object_bytes <= limit) return;
+  if (store.object_bytes() <= limit) return;
   const engine::GcResult result = store.gc(limit, 0);
   std::fprintf(stderr, "the store was over %s: %s removed that were not used for longest, %s left\n",
                show_size(limit).c_str(), show_size(result.removed_bytes).c_str(), show_size(result.kept_bytes).c_str());

@@ -187,13 +187,17 @@ class FolderStore final : public Store {
     fold_dead();
   }
 
+  std::uint64_t object_bytes() override {
+    std::uint64_t bytes = 0;
+    objects_.for_each([&](const Objects::Item& item) { bytes += item.size; });
+    return bytes;
+  }
+
   StoreStat stat() override {
     flush();
     StoreStat result;
-    objects_.for_each([&](const Objects::Item& item) {
-      ++result.objects;
-      result.object_bytes += item.size;
-    });
+    objects_.for_each([&](const Objects::Item&) { ++result.objects; });
+    result.object_bytes = object_bytes();
     result.records = index_->record_count();
     result.small_values = index_->small_values().size();
     result.pins = index_->pins().names.size();

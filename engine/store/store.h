@@ -110,6 +110,7 @@ class Store {
 
   // Housekeeping.
   virtual StoreStat stat() = 0;
+  virtual std::uint64_t object_bytes() = 0;  // of stat() alone: sizes of files, no look into the index
   // Removes the least recently used bytes until at most max_bytes are left and none is older than max_age_s (0 = any
   // age); never what is pinned or was written or read since the oldest live lease.
   virtual GcResult gc(std::uint64_t max_bytes, double max_age_s) = 0;
