@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/phantom/head_view.h"
 
+#include "nodes/base/pose.h"
+#include "nodes/render/camera.h"
+
 namespace face::phantom {
 
 Camera camera_in_head(const Camera& camera, const RigidMotion* world_from_head) {
@@ -64,6 +67,19 @@ OpaqueTriangles opaque_triangles(const Mesh& mesh) {
     opaque.fan_index.push_back(first_of_polygon[polygon] + within);
   }
   return opaque;
+}
+
+HeadView view_head(const Rig& rig, const Weights& weights, const RigidMotion* world_from_head, const Camera& camera,
+                   int width_px, int height_px) {
+  HeadView view;
+  view.opaque = opaque_triangles(rig.neutral);
+  view.screen = render::project(camera_in_head(camera, world_from_head), pose_points(rig, weights));
+  render::RasterOptions raster_options;
+  raster_options.width_px = width_px;
+  raster_options.height_px = height_px;
+  raster_options.culling = render::Culling::none;
+  view.raster = render::rasterize(view.screen, view.opaque.mesh.triangles, raster_options);
+  return view;
 }
 
 SurfaceMap map_of(const render::Raster& raster, const std::vector<render::ScreenPoint>& screen,

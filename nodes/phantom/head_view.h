@@ -8,8 +8,10 @@
 #include "nodes/render/triangulate.h"
 #include "nodes/types/camera.h"
 #include "nodes/types/mesh.h"
+#include "nodes/types/rig.h"
 #include "nodes/types/rigid_motion.h"
 #include "nodes/types/surface_map.h"
+#include "nodes/types/weights.h"
 
 namespace face::phantom {
 
@@ -29,6 +31,15 @@ struct OpaqueTriangles {
   std::vector<std::int32_t> fan_index;  // as many
 };
 OpaqueTriangles opaque_triangles(const Mesh& mesh);
+
+// A head before a camera: its opaque triangles, its vertices in the picture, and what every pixel sees.
+struct HeadView {
+  OpaqueTriangles opaque;
+  std::vector<render::ScreenPoint> screen;
+  render::Raster raster;
+};
+HeadView view_head(const Rig& rig, const Weights& weights, const RigidMotion* world_from_head, const Camera& camera,
+                   int width_px, int height_px);
 
 // What a raster of opaque.mesh shows, pixel by pixel.
 SurfaceMap map_of(const render::Raster& raster, const std::vector<render::ScreenPoint>& screen,

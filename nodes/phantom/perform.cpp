@@ -136,6 +136,8 @@ void check_options(const PerformOptions& options) {
   check_amount("brows", options.brows);
   check_amount("gaze", options.gaze);
   check_amount("head_motion", options.head_motion);
+  check_amount("turn_deg", options.turn_deg);
+  check(options.turn_s > 0, "turn_s is ", options.turn_s, ", expected more than 0");
 }
 
 // Events are drawn second by second: no performance is longer than eleven days.
@@ -178,7 +180,8 @@ PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig*
   result.labiodental_distance_mm = contacts.lip_teeth().distance_mm;
   for (const double time_s : result.timeline.time_s) {
     Pose pose;
-    const Life life = liveliness.at(time_s);
+    Life life = liveliness.at(time_s);
+    life.yaw_deg += options.turn_deg * std::sin(2 * std::numbers::pi * time_s / options.turn_s);
     pose_mouth(articulator.at(time_s), style, contacts, options.strength, pose);
     pose_rest(life, options.blink, options.gaze, pose);
     weights.push(pose.weights());

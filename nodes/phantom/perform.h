@@ -20,6 +20,8 @@ struct PerformOptions {
   double brows = 1;        // of brow movements
   double gaze = 1;         // of eye movements
   double head_motion = 1;  // of head movements
+  double turn_deg = 0;     // the head turns this far to both sides as well, its left first
+  double turn_s = 4;       // from the middle over both sides and back
 };
 
 struct PerformResult {

@@ -6,9 +6,7 @@
 #include <utility>
 
 #include "nodes/base/check.h"
-#include "nodes/base/pose.h"
 #include "nodes/phantom/head_view.h"
-#include "nodes/render/camera.h"
 
 namespace face::phantom {
 namespace {
@@ -34,24 +32,19 @@ Landmarks truth_landmarks(const Rig& rig, const Weights& weights, const RigidMot
                           const Camera& camera, const TruthLandmarksOptions& options) {
   constexpr float hidden_mm = 3;
   check(rig.landmarks68.size() == 68, "the rig names ", rig.landmarks68.size(), " landmarks, expected 68");
-  const OpaqueTriangles opaque = opaque_triangles(rig.neutral);
-  const std::vector<render::ScreenPoint> screen =
-      render::project(camera_in_head(camera, world_from_head), pose_points(rig, weights));
-  render::RasterOptions raster_options;
-  raster_options.width_px = options.width_px;
-  raster_options.height_px = options.height_px;
-  raster_options.culling = render::Culling::none;
-  const render::Raster raster = render::rasterize(screen, opaque.mesh.triangles, raster_options);
+  const HeadView view = view_head(rig, weights, world_from_head, camera, options.width_px, options.height_px);
   Landmarks landmarks;
   for (const auto& [name, index] : points_of(options.set)) {
     const std::uint32_t vertex = rig.landmarks68[index];
-    check(vertex < screen.size(), "landmark ", index, " is vertex ", vertex, ", but the mesh has ", screen.size());
-    const render::ScreenPoint& at = screen[vertex];
+    check(vertex < view.screen.size(), "landmark ", index, " is vertex ", vertex, ", but the mesh has ",
+          view.screen.size());
+    const render::ScreenPoint& at = view.screen[vertex];
     const float column = std::floor(at.x_px + 0.5f), row = std::floor(at.y_px + 0.5f);
     bool seen = at.depth_mm > 0 && column >= 0 && row >= 0 && column < static_cast<float>(options.width_px) &&
                 row < static_cast<float>(options.height_px);
     if (seen) {
-      const float shown = raster.inverse_depth_per_mm[raster.index(static_cast<int>(column), static_cast<int>(row))];
+      const float shown =
+          view.raster.inverse_depth_per_mm[view.raster.index(static_cast<int>(column), static_cast<int>(row))];
       seen = shown == 0 || at.depth_mm <= 1 / shown + hidden_mm;
     }
     landmarks.points.push_back({name, at.x_px, at.y_px, seen});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -221,6 +222,29 @@ TEST(Perform, KeepsStillWhatIsSwitchedOff) {
     EXPECT_EQ(performance.world_from_head[f].rotation, RigidMotion().rotation);
     EXPECT_EQ(performance.world_from_head[f].translation_mm, RigidMotion().translation_mm);
   }
+}
+
+TEST(Perform, TurnsTheHeadToBothSidesWhereAsked) {
+  PerformOptions options = still();
+  options.turn_deg = 30;
+  options.turn_s = 2;
+  const Performance performance = act(sentence(), options);
+  const auto turned_deg = [&](double time_s) {
+    const auto& r = performance.world_from_head[performance.frame_at(time_s)].rotation;
+    EXPECT_NEAR(r[4], 1, 1e-12);  // about the vertical alone
+    return std::atan2(r[2], r[0]) * 180 / std::numbers::pi;
+  };
+  EXPECT_NEAR(turned_deg(0), 0, 1e-9);
+  EXPECT_NEAR(turned_deg(0.5), 30, 1e-9);  // its left is +x
+  EXPECT_NEAR(turned_deg(1.5), -30, 1e-9);
+  // About the neck, which stays, and with the same face.
+  const RigidMotion& side = performance.world_from_head[performance.frame_at(0.5)];
+  EXPECT_NEAR(side.translation_mm[1], 0, 1e-12);
+  const Performance straight = act(sentence(), still());
+  for (std::size_t f = 0; f < straight.weights.size(); ++f)
+    EXPECT_EQ(straight.weights[f].values, performance.weights[f].values);
+  options.turn_s = 0;
+  EXPECT_THROW_TEXT(act(sentence(), options), "turn_s is 0, expected more than 0");
 }
 
 TEST(Perform, LivesInPauses) {
