@@ -132,7 +132,8 @@ std::string write_node_list(const NodeList& list) {
                              {"codec_version", type.codec_version},
                              {"doc", type.doc},
                              {"layout", type.layout},
-                             {"views", type.views}});
+                             {"views", type.views},
+                             {"difference", type.difference}});
   return json.dump(1) + "\n";
 }
 
@@ -146,7 +147,8 @@ NodeList read_node_list(std::string_view text) {
     for (const Json& node : json.at("nodes")) list.nodes.push_back(node_of(node));
     for (const Json& type : json.at("types"))
       list.types.push_back({type.at("name"), type.at("codec_version"), type.at("doc"), type.at("layout"),
-                            type.at("views").get<std::vector<std::pair<std::string, std::string>>>()});
+                            type.at("views").get<std::vector<std::pair<std::string, std::string>>>(),
+                            type.value("difference", std::string())});
     return list;
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(std::string("it is no node list: ") + error.what());

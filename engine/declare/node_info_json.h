@@ -15,6 +15,7 @@ struct TypeSummary {
   std::string doc;
   std::string layout;
   std::vector<std::pair<std::string, std::string>> views;  // suffix, node
+  std::string difference;                                  // node that compares two; may be empty
 };
 
 // What stands in the node list beside a plugin (NAME.nodes.json), so that listing it loads nothing.

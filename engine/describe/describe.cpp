@@ -81,6 +81,7 @@ std::string describe_node(const NodeInfo& node, const std::string& plugin) {
 std::string describe_type(const TypeSummary& type, const Plugins& plugins) {
   std::string text = type.name + "\n  " + type.doc + "\n";
   for (const auto& [suffix, node] : type.views) text += "  view: ." + suffix + " by " + node + "\n";
+  if (!type.difference.empty()) text += "  difference: by " + type.difference + "\n";
   std::string makers, takers;
   for (const std::string& name : plugins.node_names()) {
     const NodeInfo& node = *plugins.find(name);

@@ -113,7 +113,7 @@ NodeList list_of(const std::vector<NodeDeclaration>& nodes) {
     for (const TypeInfo* type : node.output_types) types[type->name] = type;
   }
   for (const auto& [name, type] : types) {
-    TypeSummary summary{name, type->codec_version, type->doc, type->layout, {}};
+    TypeSummary summary{name, type->codec_version, type->doc, type->layout, {}, type->difference};
     for (const TypeInfo::View& view : type->views) summary.views.emplace_back(view.suffix, view.node);
     list.types.push_back(std::move(summary));
   }
