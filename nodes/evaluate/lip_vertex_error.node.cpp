@@ -7,7 +7,7 @@
 using namespace engine::declare;
 using namespace face::evaluate;
 
-NODE("evaluate.lip_vertex_error", &lip_vertex_error, version{1},
+NODE("evaluate.lip_vertex_error", &lip_vertex_error, version{2},
      doc{"How far an animation is from the true one: lip vertex error (LVE), its root in mm, mean vertex error and lip "
          "readability, with a curve per frame and a heat map."},
      input{"rig", "The head that both animate"}, input{"weights", "The animation that is judged"},
@@ -18,6 +18,6 @@ NODE("evaluate.lip_vertex_error", &lip_vertex_error, version{1},
      param("full_scale_mm", &LipVertexErrorOptions::full_scale_mm, range{0.01, 1000}, unit{"mm"},
            "Error that is dark red in the heat map"),
      output("table", &LipVertexErrorResult::table,
-            "lve_mm2, lip_error_mm (its root), worst_lip_mm, mve_mm, readable_percent"),
-     output("frames", &LipVertexErrorResult::frames, "Worst lip vertex and mean of all, per frame"),
+            "lve_mm2, lip_error_mm (its root), worst_lip_mm, mve_mm, readable_percent, lost_frames"),
+     output("frames", &LipVertexErrorResult::frames, "Worst lip vertex and mean of all, per frame; valid is 1"),
      output("heat_map", &LipVertexErrorResult::heat_map, "Mean error of every vertex, in colours"));

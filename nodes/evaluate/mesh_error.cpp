@@ -14,6 +14,10 @@ MeshErrorResult mesh_error(const Rig& rig, const engine::Seq<MeshPoints>& points
   check_frame_counts(points.size(), truth.size(), "points", "truth");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto frame = points.at(i), true_frame = truth.at(i);
+    if (frame->points_mm.empty()) {
+      errors.lose(points.id(i));
+      continue;
+    }
     check_points(*frame, vertices, "points", points.id(i));
     check_points(*true_frame, vertices, "truth", truth.id(i));
     errors.add(points.id(i), frame->points_mm, true_frame->points_mm);

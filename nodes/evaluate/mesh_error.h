@@ -16,7 +16,7 @@ struct MeshErrorOptions {
 using MeshErrorResult = VertexErrorResult;
 
 // lip_vertex_error for animations that are given as vertices. points, truth: as many frames, V x 3 each, V as the
-// rig's.
+// rig's. A frame without any points was lost (its face was not seen): it is not valid and does not count.
 MeshErrorResult mesh_error(const Rig& rig, const engine::Seq<MeshPoints>& points, const engine::Seq<MeshPoints>& truth,
                            const VertexMask* lips, const MeshErrorOptions& options = {});
 

@@ -7,9 +7,10 @@
 using namespace engine::declare;
 using namespace face::evaluate;
 
-NODE("evaluate.mesh_error", &mesh_error, version{1},
+NODE("evaluate.mesh_error", &mesh_error, version{2},
      doc{"evaluate.lip_vertex_error for animations that are vertices instead of weights."},
-     input{"rig", "The head whose mesh it is"}, input{"points", "The vertices of every frame that are judged"},
+     input{"rig", "The head whose mesh it is"},
+     input{"points", "The vertices of every frame that are judged; a frame without any was lost"},
      input{"truth", "The true ones"},
      input{"lips", "Which vertices are lips; without it those inside the outer lip landmarks"},
      param("readable_mm", &MeshErrorOptions::readable_mm, range{0.01, 100}, unit{"mm"},
@@ -17,6 +18,7 @@ NODE("evaluate.mesh_error", &mesh_error, version{1},
      param("full_scale_mm", &MeshErrorOptions::full_scale_mm, range{0.01, 1000}, unit{"mm"},
            "Error that is dark red in the heat map"),
      output("table", &MeshErrorResult::table,
-            "lve_mm2, lip_error_mm (its root), worst_lip_mm, mve_mm, readable_percent"),
-     output("frames", &MeshErrorResult::frames, "Worst lip vertex and mean of all, per frame"),
+            "lve_mm2, lip_error_mm (its root), worst_lip_mm, mve_mm, readable_percent, lost_frames"),
+     output("frames", &MeshErrorResult::frames,
+            "Worst lip vertex and mean of all, per frame; valid is 0 where the frame was lost"),
      output("heat_map", &MeshErrorResult::heat_map, "Mean error of every vertex, in colours"));

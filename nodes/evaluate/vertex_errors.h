@@ -13,8 +13,8 @@ namespace face::evaluate {
 
 // How far the vertices of an animation are from the true ones.
 struct VertexErrorResult {
-  Table table;     // row "all": lve_mm2, lip_error_mm, worst_lip_mm, mve_mm, readable_percent
-  Table frames;    // a row per frame: worst_lip_mm, mean_vertex_mm
+  Table table;     // row "all": lve_mm2, lip_error_mm, worst_lip_mm, mve_mm, readable_percent, lost_frames
+  Table frames;    // a row per frame: worst_lip_mm, mean_vertex_mm (NaN where it was lost), valid (1, or 0 where lost)
   Image heat_map;  // mean over the frames
 };
 
@@ -25,17 +25,21 @@ struct VertexErrorResult {
 //   worst_lip_mm = 1/T sum_t max_{i in lips} e_ti
 //   mve_mm = mean of e_ti over all frames and the vertices of the skin
 //   readable_percent = share of frames with max_{i in lips} e_ti <= readable_mm.
+// T and the shares are of the frames that were not lost; NaN where all were.
 class VertexErrors {
  public:
   VertexErrors(const Rig& rig, std::vector<std::uint32_t> lips);
   // points, truth: V x 3.
   void add(const std::string& frame, const std::vector<Vec3f>& points, const std::vector<Vec3f>& truth);
+  // A frame that nothing is known of.
+  void lose(const std::string& frame);
   VertexErrorResult result(double readable_mm, double full_scale_mm) const;
 
  private:
   const Rig& rig_;
   std::vector<std::uint32_t> lips_, skin_;
-  std::vector<double> worst_mm_, mean_mm_, sum_mm_;
+  std::vector<double> worst_mm_, mean_mm_, sum_mm_;  // of the frames that were not lost
+  std::vector<bool> valid_;                          // of all frames
   std::vector<std::string> frames_;
 };
 
