@@ -11,6 +11,7 @@
 #include "nodes/base/phones_json.h"
 #include "nodes/base/text_grid.h"
 #include "nodes/speech/arpabet.h"
+#include "nodes/speech/phone_files.h"
 #include "nodes/speech/split_stops.h"
 
 namespace face::speech {
@@ -53,6 +54,22 @@ Phones from_text_grid(const TextGrid& grid, const std::string& name) {
   return phones;
 }
 
+constexpr const char* known_files = ".TextGrid, phones.json, Rhubarb's .json, TIMIT's .phn, GRID's .align";
+
+// By the suffix; a TextGrid and a JSON file are told by what they say.
+Phones parse(const std::string& bytes, const std::string& lower_suffix, const std::string& suffix,
+             const std::string& name) {
+  if (lower_suffix == ".textgrid" || bytes.starts_with("File type = \"ooTextFile"))
+    return from_text_grid(parse_text_grid(bytes, name), name);
+  if (lower_suffix == ".json")
+    return bytes.find("\"mouthCues\"") != std::string::npos ? parse_rhubarb(bytes, name)
+                                                            : parse_phones_json(bytes, name);
+  if (lower_suffix == ".phn") return parse_timit(bytes, name);
+  if (lower_suffix == ".align") return parse_grid_align(bytes, name);
+  fail(name, ": found the suffix \"", suffix, "\", expected one of ", known_files,
+       "; Praat and the Montreal aligner can write a TextGrid of other alignments");
+}
+
 // Normalises labels, closes gaps with silence, joins silences; the result tiles [0, duration_s].
 Phones normalize(const Phones& raw, double duration_s, const std::string& name) {
   Phones phones;
@@ -92,20 +109,19 @@ Phones read_phones(const engine::File& file, const Audio* audio) {
     bytes = file.bytes();
   } else {
     std::ifstream in(file.path(), std::ios::binary);
-    check(in.is_open() && !file.is_folder(), "cannot open ", file.path(), ": expected a TextGrid or a phones.json");
+    check(in.is_open() && !file.is_folder(), "cannot open ", file.path(), ": expected an alignment (", known_files,
+          ")");
     bytes.assign(std::istreambuf_iterator<char>(in), {});
   }
   const std::string name = file.in_memory() ? "alignment" + file.suffix() : file.name();
-  const std::string suffix = lower_case(file.suffix());
-  check(suffix == ".textgrid" || suffix == ".json", name, ": found the suffix \"", file.suffix(),
-        "\", expected .TextGrid or .json");
-  const Phones raw =
-      suffix == ".json" ? parse_phones_json(bytes, name) : from_text_grid(parse_text_grid(bytes, name), name);
+  const Phones raw = parse(bytes, lower_case(file.suffix()), file.suffix(), name);
   check(!raw.phones.empty(), name, ": found no phones");
   if (audio)
     check(raw.phones.back().end_s <= audio->duration_s() + beyond_audio_s, name, ": the phones end at ",
           raw.phones.back().end_s, " s, but the audio at ", audio->duration_s(), " s");
-  return split_stops(normalize(raw, audio ? audio->duration_s() : raw.duration_s, name), audio);
+  Phones phones = split_stops(normalize(raw, audio ? audio->duration_s() : raw.duration_s, name), audio);
+  phones.confident = raw.confident;
+  return phones;
 }
 
 }  // namespace face::speech
