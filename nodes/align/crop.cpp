@@ -116,6 +116,9 @@ DepthScan crop(const DepthScan& scan, const Axis& axis, const Image& mask, const
   check_scan(scan, "scan");
   check(mask.width == options.columns && mask.height == options.rows, "mask is ", mask.width, " x ", mask.height,
         " cells, expected ", options.columns, " x ", options.rows);
+  check(mask.channels == 1 && mask.pixels.size() == static_cast<std::size_t>(options.columns * options.rows),
+        "mask has ", mask.pixels.size(), " values in ", mask.channels, " channels, expected one for each of ",
+        options.columns, " x ", options.rows, " cells");
   DepthScan out = scan;
   const ScanRays rays(scan.camera);
   std::size_t i = 0;

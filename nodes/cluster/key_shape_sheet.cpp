@@ -83,8 +83,16 @@ Image key_shape_sheet(const KeyShapes& key_shapes, const engine::Seq<Image>& fra
   // In the frames' order: a video is decoded once.
   std::map<std::string, Image> cuts;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    for (const KeyShape& key : key_shapes.shapes)
-      if (key.frame == frames.id(i)) cuts[key.frame] = crop(*frames.at(i), key.landmarks, picture_px);
+    for (const KeyShape& key : key_shapes.shapes) {
+      if (key.frame != frames.id(i)) continue;
+      const auto frame = frames.at(i);
+      const std::size_t expected = static_cast<std::size_t>(std::max(0, frame->width)) *
+                                   static_cast<std::size_t>(std::max(0, frame->height)) *
+                                   static_cast<std::size_t>(std::max(0, frame->channels));
+      check(expected > 0 && frame->pixels.size() == expected, "frame ", key.frame, " has ", frame->pixels.size(),
+            " bytes, expected ", frame->width, " x ", frame->height, " x ", frame->channels);
+      cuts[key.frame] = crop(*frame, key.landmarks, picture_px);
+    }
   std::vector<Image> pictures;
   std::vector<render::Caption> captions;
   for (const KeyShape& key : key_shapes.shapes) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "nodes/base/check.h"
+#include "nodes/base/scan_points.h"
 
 namespace face::mask {
 namespace {
@@ -76,6 +77,16 @@ ReviewResult review(const engine::Seq<DepthScan>& scans, const engine::Seq<Image
   for (std::size_t k = 0; shown.size() < std::min(wanted, count) && k < wanted; ++k) {
     const std::size_t t = k * count / wanted;
     if (std::find(shown.begin(), shown.end(), t) == shown.end()) shown.push_back(t);
+  }
+  for (const std::size_t t : shown) {
+    const auto scan = scans.at(t);
+    const auto interior = interiors.at(t);
+    check_scan(*scan, ("scan of frame " + scans.id(t)).c_str());
+    check(interior->width == scan->picture.width && interior->height == scan->picture.height &&
+              interior->channels == 1 && interior->pixels.size() == scan->depth_mm.size(),
+          "interior of frame ", interiors.id(t), " is ", interior->width, " x ", interior->height, " pixels with ",
+          interior->pixels.size(), " values, expected ", scan->picture.width, " x ", scan->picture.height,
+          " as its scan, one value each");
   }
   // One box for all: where anything was removed in any shown frame, and a third about it.
   int x0 = 1 << 30, y0 = 1 << 30, x1 = -1, y1 = -1;

@@ -80,6 +80,9 @@ DepthScan smooth_depth(const DepthScan& scan, const Image* where, const SmoothDe
   if (where)
     check(where->width == width && where->height == height && where->channels == 1, "where is ", where->width, " x ",
           where->height, " pixels of ", where->channels, " channels, expected ", width, " x ", height, " grey");
+  if (where)
+    check(where->pixels.size() == scan.depth_mm.size(), "where has ", where->pixels.size(), " values, expected ",
+          scan.depth_mm.size(), " for ", width, " x ", height, " pixels");
   DepthScan out = scan;
   Passes passes(options);
   for (int y = 0; y < height; ++y) {

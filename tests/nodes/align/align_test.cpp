@@ -56,6 +56,15 @@ Landmarks true_start(const test::PhantomStream::Frame& frame) {
   return out;
 }
 
+engine::Progress quiet;
+
+// What a node warns of.
+class Heard : public engine::Progress {
+ public:
+  void warn(const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
 }  // namespace
 
 TEST(TrackMarkers, FollowsMarkersToTwentiethsOfAPixelAndLosesNone) {
@@ -65,7 +74,7 @@ TEST(TrackMarkers, FollowsMarkersToTwentiethsOfAPixelAndLosesNone) {
   engine::Prior<TrackMarkersResult> before;
   double square = 0, count = 0;
   for (const auto& frame : frames) {
-    const TrackMarkersResult result = track_markers(frame.scan, start, nullptr, before);
+    const TrackMarkersResult result = track_markers(frame.scan, start, nullptr, before, {}, quiet);
     EXPECT_EQ(result.report, "");
     std::map<std::string, Landmark> truth;
     for (const Landmark& p : stream().marker_truth(frame).points) truth[p.name] = p;
@@ -83,15 +92,18 @@ TEST(TrackMarkers, NamesAMarkerThatLeavesThePictureAndKeepsTheRest) {
   Landmarks start = true_start(frame);
   start.points.resize(6);
   start.points.push_back({"at_the_edge", 5, 240, true});
-  const TrackMarkersResult first = track_markers(frame.scan, start, nullptr, {});
+  const TrackMarkersResult first = track_markers(frame.scan, start, nullptr, {}, {}, quiet);
   DepthScan shifted = frame.scan;
   for (int y = 0; y < 480; ++y)
     for (int x = 0; x < 640; ++x)
       shifted.picture.pixels[static_cast<std::size_t>(y * 640 + x)] =
           x + 6 < 640 ? frame.scan.picture.pixels[static_cast<std::size_t>(y * 640 + x + 6)] : std::uint8_t{0};
-  const TrackMarkersResult result = track_markers(
-      shifted, start, nullptr, engine::Prior<TrackMarkersResult>(std::make_shared<const TrackMarkersResult>(first)));
+  Heard heard;
+  const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(first));
+  const TrackMarkersResult result = track_markers(shifted, start, nullptr, before, {}, heard);
   EXPECT_EQ(result.report, "at_the_edge");
+  ASSERT_EQ(heard.texts.size(), 1u);
+  EXPECT_EQ(heard.texts[0].substr(0, 61), "marker at_the_edge leaves the picture of 640 x 480 pixels at ");
   EXPECT_FALSE(result.markers.points[6].valid);
   EXPECT_EQ(result.markers.points[6].x_px, 5);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(result.markers.points[i].x_px, start.points[i].x_px - 6, 0.02);
@@ -101,16 +113,16 @@ TEST(TrackMarkers, TakesACorrection) {
   const auto frame = stream().frame(stream().weights({}));
   const Landmarks start = true_start(frame);
   const Landmarks right{{{start.points[2].name, start.points[2].x_px + 3, start.points[2].y_px - 2, true}}};
-  const TrackMarkersResult result = track_markers(frame.scan, start, &right, {});
+  const TrackMarkersResult result = track_markers(frame.scan, start, &right, {}, {}, quiet);
   EXPECT_EQ(result.markers.points[2].x_px, start.points[2].x_px + 3);
   const Landmarks wrong{{{"nobody", 3, 3, true}}};
-  EXPECT_THROW_TEXT(track_markers(frame.scan, start, &wrong, {}),
+  EXPECT_THROW_TEXT(track_markers(frame.scan, start, &wrong, {}, {}, quiet),
                     "a correction names the marker nobody, which start does not have");
 }
 
 TEST(TrackMarkers, RejectsAStartOutsideTheScan) {
   const auto frame = stream().frame(stream().weights({}));
-  EXPECT_THROW_TEXT(track_markers(frame.scan, {{{"a", 700, 20, true}}}, nullptr, {}),
+  EXPECT_THROW_TEXT(track_markers(frame.scan, {{{"a", 700, 20, true}}}, nullptr, {}, {}, quiet),
                     "start marker a is at (700, 20), outside the scan of 640 x 480 pixels");
 }
 
@@ -173,7 +185,7 @@ TEST(Orient, BringsAScanBackEvenWithLostAndMistakenMarkers) {
   here.points[0].valid = false;
   here.points[5].x_px += 12;
   here.points[9].y_px -= 9;
-  const OrientResult result = orient(frame.scan, here, reference.scan, there);
+  const OrientResult result = orient(frame.scan, here, reference.scan, there, {}, quiet);
   ASSERT_TRUE(result.solved);
   EXPECT_LE(result.rms_mm, 0.3);
   // A point of the forehead comes back to where it was.
@@ -196,8 +208,12 @@ TEST(Orient, BringsAScanBackEvenWithLostAndMistakenMarkers) {
 TEST(Orient, LeavesAScanWithTooFewMarkersWhereItIs) {
   const auto frame = stream().frame(stream().weights({}));
   const Landmarks two{{{"a", 300, 100, true}, {"b", 340, 110, true}}};
-  const OrientResult result = orient(frame.scan, two, frame.scan, two);
+  Heard heard;
+  const OrientResult result = orient(frame.scan, two, frame.scan, two, {}, heard);
   EXPECT_FALSE(result.solved);
+  EXPECT_EQ(heard.texts, (std::vector<std::string>{
+                             "the head's motion is not known: of 2 markers that the jaw does not move 2 are measured, "
+                             "and no three of them agree with the reference; left out"}));
   EXPECT_EQ(result.aligned.camera.position_mm, frame.scan.camera.position_mm);
 }
 
@@ -244,6 +260,8 @@ TEST(Crop, RejectsNoScansAndMasksOfAnotherSize) {
   const auto a = stream().frame(stream().weights({}));
   EXPECT_THROW_TEXT(crop(a.scan, {}, {3, 2, 1, std::vector<std::uint8_t>(6, 0)}),
                     "mask is 3 x 2 cells, expected 180 x 160");
+  EXPECT_THROW_TEXT(crop(a.scan, {}, {180, 160, 1, {}}),
+                    "mask has 0 values in 1 channels, expected one for each of 180 x 160 cells");
 }
 
 TEST(ChooseReference, TakesASlightlyOpenMouthOrTheNamedFrame) {

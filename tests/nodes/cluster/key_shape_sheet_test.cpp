@@ -41,6 +41,8 @@ TEST(KeyShapeSheet, RejectsAFrameThatTheVideoHasNot) {
   const engine::Seq<Image> frames({plain(10)}, {"0"});
   EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), frames, nullptr), "key shape 7 is no frame of the video");
   EXPECT_THROW_TEXT(key_shape_sheet({}, frames, nullptr), "there are no key shapes");
+  const engine::Seq<Image> empty({Image{60, 40, 3, {}}}, {"7"});
+  EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), empty, nullptr), "frame 7 has 0 bytes, expected 60 x 40 x 3");
 }
 
 }  // namespace

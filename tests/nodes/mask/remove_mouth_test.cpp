@@ -197,6 +197,11 @@ TEST(SmoothDepth, RejectsAnEvenWindow) {
   EXPECT_THROW_TEXT(smooth_depth(scan, nullptr, {.window_px = 8}), "window_px is 8, expected an odd number");
 }
 
+TEST(SmoothDepth, RejectsAMaskWithoutPixels) {
+  const Image where{64, 48, 1, {}};
+  EXPECT_THROW_TEXT(smooth_depth(wall_with_slot(0), &where), "where has 0 values, expected 3072 for 64 x 48 pixels");
+}
+
 TEST(Review, NamesTheFrameThatDepartsAndProposesItsThreshold) {
   std::vector<DepthScan> scans;
   std::vector<Image> interiors;
@@ -222,6 +227,19 @@ TEST(Review, NamesTheFrameThatDepartsAndProposesItsThreshold) {
 TEST(Review, RejectsUnequalCounts) {
   EXPECT_THROW_TEXT(review(engine::Seq<DepthScan>(), engine::Seq<Image>(), engine::Seq<Table>(std::vector<Table>(2))),
                     "scans has 0 frames, interiors 0, reports 2");
+}
+
+TEST(Review, RejectsPicturesWithoutPixels) {
+  const RemoveMouthResult result = remove_mouth(wall_with_slot(20), nullptr, nullptr);
+  const auto review_one = [&](const DepthScan& scan, const Image& interior) {
+    return review(engine::Seq<DepthScan>({scan}), engine::Seq<Image>({interior}), engine::Seq<Table>({result.report}));
+  };
+  EXPECT_THROW_TEXT(
+      review_one(result.scan, {64, 48, 1, {}}),
+      "interior of frame 0 is 64 x 48 pixels with 0 values, expected 64 x 48 as its scan, one value each");
+  DepthScan scan = result.scan;
+  scan.picture.pixels.clear();
+  EXPECT_THROW_TEXT(review_one(scan, result.interior), "scan of frame 0's picture has 0 bytes, expected 64 x 48 x 1");
 }
 
 TEST(Reopen, TakesDepthOutWhereTheInteriorIsWhite) {
