@@ -4,7 +4,7 @@
 using namespace engine::declare;
 using namespace face::align;
 
-NODE("align.crop", &crop, version{1},
+NODE("align.crop", &crop, version{1}, cheap{},
      doc{"Leaves of a scan what lies within a mask in the cylindrical representation."},
      input{"scan", "An aligned scan"}, input{"axis", "Axis of the head"}, input{"mask", "From align.common_cover"},
      param("rows", &CoverOptions::rows, range{2, 10000}, unit{"1"}, "Rows of the grid"),

@@ -98,7 +98,7 @@ AbsoluteOrientation absolute_orientation(const std::vector<Point>& from_mm, cons
 }
 
 OrientResult orient(const DepthScan& scan, const Landmarks& markers, const DepthScan& reference,
-                    const Landmarks& reference_markers, const OrientOptions& options) {
+                    const Landmarks& reference_markers, const OrientOptions& options, engine::Progress& progress) {
   check_scan(scan, "scan");
   check_scan(reference, "reference");
   OrientResult result;
@@ -138,7 +138,12 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
     std::nth_element(errors.begin(), middle, errors.end());
     if (*middle < least) least = *middle, best = guess;
   }
-  if (!best.solved) return result;
+  const auto give_up = [&] {
+    progress.warn(message("the head's motion is not known: of ", rigid.size(), " markers that the jaw does not move ",
+                          from.size(), " are measured, and no three of them agree with the reference; left out"));
+    return result;
+  };
+  if (!best.solved) return give_up();
   std::vector<double> weights(from.size(), 1);
   for (int round = 0; round < 30; ++round) {
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -146,7 +151,7 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
       weights[i] = 1 / ((1 + e * e) * (1 + e * e));
     }
     const AbsoluteOrientation next = absolute_orientation(from, to, weights);
-    if (!next.solved) return result;
+    if (!next.solved) return give_up();
     const bool settled = std::fabs(next.rms_mm - best.rms_mm) < 1e-9;
     best = next;
     if (settled && round > 2) break;
@@ -154,7 +159,7 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
   for (const double w : weights) result.used += w >= 0.25 ? 1 : 0;
   if (result.used < 3) {
     result.used = 0;
-    return result;
+    return give_up();
   }
   result.reference_from_scan = best.to_from;
   result.rms_mm = best.rms_mm;

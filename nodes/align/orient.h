@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/port.h"
 #include "nodes/types/depth_scan.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/rigid_motion.h"
@@ -42,9 +43,9 @@ struct OrientResult {
 // 3D. A marker that was lost, has no depth, or was mistaken counts little or nothing (Geman and McClure's weights of
 // scale scale_mm, reweighted to convergence from a least-median start over triples), so one bad marker moves nothing.
 // Depth at a marker is that of a plane fitted to the 9 x 9 pixels about it. Unsolvable (fewer than three markers):
-// solved is false and the scan stays where it is. Markers of the jaw are left out by `rigid`, a list of names, or by
-// keeping the highest upper_share of the reference's.
+// solved is false, the scan stays where it is, and a warning says so. Markers of the jaw are left out by `rigid`, a
+// list of names, or by keeping the highest upper_share of the reference's.
 OrientResult orient(const DepthScan& scan, const Landmarks& markers, const DepthScan& reference,
-                    const Landmarks& reference_markers, const OrientOptions& options = {});
+                    const Landmarks& reference_markers, const OrientOptions& options, engine::Progress& progress);
 
 }  // namespace face::align

@@ -18,4 +18,5 @@ NODE("align.orient", &orient, version{1},
      output("reference_from_scan", &OrientResult::reference_from_scan, "The motion"),
      output("rms_mm", &OrientResult::rms_mm, "Distance of the markers that count, root mean square"),
      output("used", &OrientResult::used, "Markers that count"),
-     output("solved", &OrientResult::solved, "False for fewer than three markers"));
+     output("solved", &OrientResult::solved,
+            "False for fewer than three markers that agree; the scan then is where it was"));

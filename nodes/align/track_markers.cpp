@@ -160,7 +160,8 @@ class Template {
 }  // namespace
 
 TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
-                                 const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options) {
+                                 const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options,
+                                 engine::Progress& progress) {
   const Grey grey = grey_of(scan.picture);
   const int side = static_cast<int>(options.template_px);
   TrackMarkersResult result;
@@ -189,7 +190,11 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
       // The point keeps its place in the square that was taken about it.
       const double off_x = start.points[i].x_px - corner_of(start.points[i].x_px, side),
                    off_y = start.points[i].y_px - corner_of(start.points[i].y_px, side);
-      point.valid = match.likeness >= options.least_likeness && fits(grey, match.x + off_x, match.y + off_y, side);
+      const bool inside = fits(grey, match.x + off_x, match.y + off_y, side);
+      if (point.valid && !inside)
+        progress.warn(message("marker ", point.name, " leaves the picture of ", grey.width, " x ", grey.height,
+                              " pixels at (", std::lround(match.x + off_x), ", ", std::lround(match.y + off_y), ")"));
+      point.valid = match.likeness >= options.least_likeness && inside;
       if (point.valid) point.x_px = match.x + off_x, point.y_px = match.y + off_y;
     }
   }

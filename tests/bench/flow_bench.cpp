@@ -69,7 +69,8 @@ class Material {
       if (!frames_.empty()) {
         const Prepared& reference = frames_.front();
         p.markers = align::link_markers(p.markers, reference.markers);
-        p.scan = align::orient(p.scan, p.markers, reference.scan, reference.markers).aligned;
+        engine::Progress quiet;
+        p.scan = align::orient(p.scan, p.markers, reference.scan, reference.markers, {}, quiet).aligned;
         p.truth = stream_.truth_flow(reference.frame, p.frame);
         p.start = flow::start_flow(reference.scan, p.scan, &reference.markers, &p.markers);
       } else {
