@@ -92,7 +92,7 @@ void hold(std::vector<Pair>& pairs) {
 }  // namespace
 
 VertexTargets scale_motion(const Rig& rig, const Landmarks& reference, const Landmarks& landmarks,
-                           const ScaleMotionOptions& options) {
+                           const VertexTargets* still, const ScaleMotionOptions& options) {
   std::vector<Pair> pairs = match(rig, reference, landmarks);
   if (options.hold_head) hold(pairs);
   std::array<Box, part_count> seen, built;
@@ -109,6 +109,13 @@ VertexTargets scale_motion(const Rig& rig, const Landmarks& reference, const Lan
   // A face that is a point or a line says nothing of its scale.
   if (!(face.width() > 0 && face.height() > 0)) return result;
   std::map<std::uint32_t, VertexTarget> targets;
+  if (still) {
+    for (const VertexTarget& target : still->targets) {
+      check(target.vertex < rig.neutral.points_mm.size(), "a still vertex is ", target.vertex, ", the rig has ",
+            rig.neutral.points_mm.size());
+      targets[target.vertex] = target;
+    }
+  }
   for (const Pair& p : pairs) {
     const bool own = seen[p.part].points >= 3 && seen[p.part].width() >= 0.1 * face.width() &&
                      seen[p.part].height() >= 0.1 * face.height();

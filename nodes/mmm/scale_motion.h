@@ -21,8 +21,9 @@ struct ScaleMotionOptions {
 // not valid in either frame asks for nothing, and so do points of other names. Differs from the paper: hold_head first
 // takes out the similarity that brings the points that move with the skull (inner eye corners and tip of the nose) back
 // to where they are in the reference, which the paper leaves to the speaker. With fewer than two of them nothing is
-// taken out.
+// taken out. still: vertices that are held at rest besides (meshik::still_vertices), null = none; where a point asks
+// for the same vertex, the point counts.
 VertexTargets scale_motion(const Rig& rig, const Landmarks& reference, const Landmarks& landmarks,
-                           const ScaleMotionOptions& options = {});
+                           const VertexTargets* still, const ScaleMotionOptions& options = {});
 
 }  // namespace face::mmm

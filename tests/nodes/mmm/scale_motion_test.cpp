@@ -34,7 +34,7 @@ Rig rig() {
 }
 
 TEST(ScaleMotion, OfTheReferenceAsksForTheMeshAtRest) {
-  const VertexTargets targets = scale_motion(rig(), points(), points());
+  const VertexTargets targets = scale_motion(rig(), points(), points(), nullptr);
   ASSERT_EQ(targets.targets.size(), 68u);
   for (const VertexTarget& t : targets.targets) {
     EXPECT_NEAR(t.x_mm, static_cast<double>(rig().neutral.points_mm[t.vertex][0]), 1e-5);
@@ -46,7 +46,7 @@ TEST(ScaleMotion, OfTheReferenceAsksForTheMeshAtRest) {
 TEST(ScaleMotion, ScalesAcrossAndDownByTheBoxesOfThePart) {
   Landmarks moved = points();
   moved.points[57].x_px += 2, moved.points[57].y_px += 4;
-  const VertexTargets targets = scale_motion(rig(), points(), moved);
+  const VertexTargets targets = scale_motion(rig(), points(), moved, nullptr);
   EXPECT_NEAR(targets.targets[57].x_mm - static_cast<double>(rig().neutral.points_mm[57][0]), 4, 1e-4);
   EXPECT_NEAR(targets.targets[57].y_mm - static_cast<double>(rig().neutral.points_mm[57][1]), -12, 1e-4);
 }
@@ -56,7 +56,7 @@ TEST(ScaleMotion, GivesTheMouthItsOwnScale) {
   for (std::size_t i = 48; i < 68; ++i) wide.neutral.points_mm[i][0] *= 2;
   Landmarks moved = points();
   moved.points[57].x_px += 1, moved.points[5].x_px += 1;
-  const VertexTargets targets = scale_motion(wide, points(), moved);
+  const VertexTargets targets = scale_motion(wide, points(), moved, nullptr);
   EXPECT_NEAR(targets.targets[57].x_mm - static_cast<double>(wide.neutral.points_mm[57][0]), 4, 1e-4);
   EXPECT_NEAR(targets.targets[5].x_mm - static_cast<double>(wide.neutral.points_mm[5][0]), 2, 1e-4);
 }
@@ -67,9 +67,10 @@ TEST(ScaleMotion, TakesTheHeadsMotionOut) {
     const double x = p.x_px, y = p.y_px;
     p.x_px = 1.05 * x - 0.08 * y + 12, p.y_px = 0.08 * x + 1.05 * y - 7;
   }
-  const VertexTargets held = scale_motion(rig(), points(), moved), rest = scale_motion(rig(), points(), points());
+  const VertexTargets held = scale_motion(rig(), points(), moved, nullptr),
+                      rest = scale_motion(rig(), points(), points(), nullptr);
   for (std::size_t i = 0; i < 68; ++i) EXPECT_NEAR(held.targets[i].x_mm, rest.targets[i].x_mm, 1e-6);
-  EXPECT_GT(std::abs(scale_motion(rig(), points(), moved, {false}).targets[0].x_mm - rest.targets[0].x_mm), 1);
+  EXPECT_GT(std::abs(scale_motion(rig(), points(), moved, nullptr, {false}).targets[0].x_mm - rest.targets[0].x_mm), 1);
 }
 
 TEST(ScaleMotion, ABoxOfTooFewPointsUsesTheWholeFaces) {
@@ -77,19 +78,37 @@ TEST(ScaleMotion, ABoxOfTooFewPointsUsesTheWholeFaces) {
   few.points.erase(few.points.begin() + 50, few.points.end());
   Landmarks moved = few;
   moved.points[49].x_px += 3;
-  const VertexTargets targets = scale_motion(rig(), few, moved);
+  const VertexTargets targets = scale_motion(rig(), few, moved, nullptr);
   EXPECT_NEAR(targets.targets[49].x_mm - static_cast<double>(rig().neutral.points_mm[49][0]), 6, 1e-4);
 }
 
 TEST(ScaleMotion, LostPointsAskForNothing) {
   Landmarks moved = points();
   moved.points[60].valid = false;
-  EXPECT_EQ(scale_motion(rig(), points(), moved).targets.size(), 67u);
-  EXPECT_TRUE(scale_motion(rig(), points(), Landmarks{}).targets.empty());
+  EXPECT_EQ(scale_motion(rig(), points(), moved, nullptr).targets.size(), 67u);
+  EXPECT_TRUE(scale_motion(rig(), points(), Landmarks{}, nullptr).targets.empty());
+}
+
+TEST(ScaleMotion, HoldsStillVerticesBesideThePoints) {
+  Landmarks moved = points();
+  moved.points[57].x_px += 2;
+  // The rig has a vertex more than points.
+  Rig more = rig();
+  more.neutral.points_mm.push_back({1, 2, 3});
+  const VertexTargets still{{{57, 0, 0, 0, true}, {68, 1, 2, 3, true}}};
+  const VertexTargets without = scale_motion(more, points(), moved, nullptr);
+  const VertexTargets held = scale_motion(more, points(), moved, &still);
+  ASSERT_EQ(held.targets.size(), 69u);
+  EXPECT_EQ(held.targets[57].x_mm, without.targets[57].x_mm);
+  EXPECT_FALSE(held.targets[57].has_z);
+  EXPECT_EQ(held.targets[68].vertex, 68u);
+  EXPECT_EQ(held.targets[68].z_mm, 3);
+  EXPECT_TRUE(held.targets[68].has_z);
+  EXPECT_THROW_TEXT(scale_motion(rig(), points(), moved, &still), "a still vertex is 68, the rig has 68");
 }
 
 TEST(ScaleMotion, RejectsARigWithoutLandmarks) {
-  EXPECT_THROW_TEXT(scale_motion(Rig{}, points(), points()), "the rig has 0 landmarks, expected 68");
+  EXPECT_THROW_TEXT(scale_motion(Rig{}, points(), points(), nullptr), "the rig has 0 landmarks, expected 68");
 }
 
 TEST(ExampleMeshes, ArePosesOfTheRig) {
