@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "nodes/base/check.h"
+#include "nodes/base/image_part.h"
 
 namespace face::mmm {
 
@@ -17,13 +18,7 @@ Image crop(const Image& image, const CropOptions& o) {
             o.top_px + o.height_px <= image.height,
         "the part of ", o.width_px, " x ", o.height_px, " pixels at ", o.left_px, ", ", o.top_px,
         " does not lie within the picture of ", image.width, " x ", image.height);
-  Image part{o.width_px, o.height_px, image.channels, {}};
-  for (int y = 0; y < o.height_px; ++y) {
-    const auto from = static_cast<std::ptrdiff_t>(((o.top_px + y) * image.width + o.left_px) * image.channels);
-    const auto row = image.pixels.begin() + from;
-    part.pixels.insert(part.pixels.end(), row, row + o.width_px * image.channels);
-  }
-  return part;
+  return image_part(image, o.left_px, o.top_px, o.width_px, o.height_px);
 }
 
 }  // namespace face::mmm

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "nodes/base/check.h"
+#include "nodes/base/image_part.h"
 #include "nodes/flow/image_channels.h"
 #include "nodes/flow/robust_flow.h"
 #include "nodes/mmm/crop.h"

@@ -41,21 +41,6 @@ void sample_image(const Image& image, double x_px, double y_px, float* values) {
 
 std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)); }
 
-Image halve_image(const Image& image) {
-  Image half{image.width / 2, image.height / 2, image.channels, {}};
-  const auto at = [&](int x, int y, int c) {
-    return static_cast<int>(image.pixels[static_cast<std::size_t>((y * image.width + x) * image.channels + c)]);
-  };
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < image.channels; ++c) {
-        const int sum =
-            at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
-        half.pixels.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
-      }
-  return half;
-}
-
 void check_picture(const Image& image, const std::string& name) {
   check(image.width > 0 && image.height > 0 && image.channels == 3, name, " is ", image.width, " x ", image.height,
         " pixels of ", image.channels, " channels, expected a picture of 3");

@@ -15,10 +15,6 @@ void sample_image(const Image& image, double x_px, double y_px, float* values);
 // Rounded and held within 0 to 255.
 std::uint8_t to_byte(double value);
 
-// Half the width and height, each pixel the mean of four; a last odd row or column is left out. Pixel (i, j) of the
-// result lies at (2 i + 0.5, 2 j + 0.5).
-Image halve_image(const Image& image);
-
 // Throws unless the picture has pixels, three channels and as many bytes as that takes; `name` is told.
 void check_picture(const Image& image, const std::string& name);
 

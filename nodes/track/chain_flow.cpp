@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/chain_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "nodes/base/check.h"
+
+namespace face::track {
+namespace {
+
+struct Place {
+  double x, y;  // of the video, px
+};
+
+// A flow in the pixels of the video.
+class Motion {
+ public:
+  Motion(const FlowField& flow, bool half_size)
+      : flow_(flow), scale_(half_size ? 2 : 1), offset_(half_size ? 0.5 : 0) {}
+
+  // Where a point goes; nothing where the flow is not known.
+  std::optional<Place> operator()(const Place& from) const {
+    const double x = (from.x - offset_) / scale_, y = (from.y - offset_) / scale_;
+    // Half a pixel beyond the last centre is still within the last pixel.
+    if (!(x >= -0.5 && y >= -0.5 && x <= flow_.width - 0.5 && y <= flow_.height - 0.5)) return std::nullopt;
+    const double cx = std::clamp(x, 0.0, flow_.width - 1.0), cy = std::clamp(y, 0.0, flow_.height - 1.0);
+    const int left = static_cast<int>(cx), top = static_cast<int>(cy);
+    const int right = std::min(left + 1, flow_.width - 1), bottom = std::min(top + 1, flow_.height - 1);
+    const double a = cx - left, b = cy - top;
+    double sum[2] = {0, 0}, weight = 0;
+    const auto add = [&](int column, int row, double share) {
+      const auto i =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(flow_.width) + static_cast<std::size_t>(column);
+      if (!flow_.valid[i] || share == 0) return;
+      weight += share;
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        sum[axis] += share * static_cast<double>(flow_.displacement_px[i][axis]);
+    };
+    add(left, top, (1 - a) * (1 - b));
+    add(right, top, a * (1 - b));
+    add(left, bottom, (1 - a) * b);
+    add(right, bottom, a * b);
+    if (!(weight > 0)) return std::nullopt;
+    return Place{from.x + scale_ * sum[0] / weight, from.y + scale_ * sum[1] / weight};
+  }
+
+  // The point that goes to `to`, by fixed-point steps; nothing where they do not come near.
+  std::optional<Place> source(const Place& to) const {
+    Place from = to;
+    for (int step = 0; step < 50; ++step) {
+      const std::optional<Place> reached = (*this)(from);
+      if (!reached) return std::nullopt;
+      const double miss_x = to.x - reached->x, miss_y = to.y - reached->y;
+      if (std::hypot(miss_x, miss_y) < 1e-3) return from;
+      from.x += 0.7 * miss_x, from.y += 0.7 * miss_y;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const FlowField& flow_;
+  double scale_, offset_;
+};
+
+void check_flow(const FlowField& flow, const std::string& name) {
+  const auto count = static_cast<std::size_t>(flow.width) * static_cast<std::size_t>(flow.height);
+  check(flow.width > 0 && flow.height > 0 && flow.displacement_px.size() == count && flow.valid.size() == count, name,
+        " has ", flow.displacement_px.size(), " displacements, expected ", flow.width, " x ", flow.height);
+}
+
+void put_right(const Landmarks& correction, const Motion* first, ChainFlowResult& result) {
+  for (const Landmark& fixed : correction.points) {
+    const auto point = std::find_if(result.landmarks.points.begin(), result.landmarks.points.end(),
+                                    [&](const Landmark& p) { return p.name == fixed.name; });
+    if (point == result.landmarks.points.end()) {
+      std::string names;
+      for (const Landmark& p : result.landmarks.points) names += (names.empty() ? "" : ", ") + p.name;
+      fail("a correction names the point ", fixed.name, ", which start does not have; it has ", names);
+    }
+    check(std::isfinite(fixed.x_px) && std::isfinite(fixed.y_px), "the correction of ", fixed.name, " is at (",
+          fixed.x_px, ", ", fixed.y_px, "), expected finite numbers");
+    *point = {fixed.name, fixed.x_px, fixed.y_px, true};
+    Landmark& home = result.home.points[static_cast<std::size_t>(point - result.landmarks.points.begin())];
+    const std::optional<Place> from = first ? first->source({fixed.x_px, fixed.y_px}) : std::nullopt;
+    home = from ? Landmark{fixed.name, from->x, from->y, true} : Landmark{fixed.name, fixed.x_px, fixed.y_px, false};
+  }
+}
+
+}  // namespace
+
+ChainFlowResult chain_flow(const FlowField& flow, const FlowField* from_first, const Landmarks& start,
+                           const Landmarks* correction, const engine::Prior<ChainFlowResult>& prior,
+                           const ChainFlowOptions& options) {
+  check_flow(flow, "flow");
+  const Motion step(flow, options.half_size);
+  std::optional<Motion> first;
+  if (from_first) {
+    check_flow(*from_first, "from_first");
+    check(from_first->width == flow.width && from_first->height == flow.height, "from_first is ", from_first->width,
+          " x ", from_first->height, " pixels, flow is ", flow.width, " x ", flow.height);
+    first.emplace(*from_first, options.half_size);
+  }
+  ChainFlowResult result;
+  if (!prior) {
+    result.landmarks = result.home = start;
+  } else {
+    check(prior->landmarks.points.size() == start.points.size() && prior->home.points.size() == start.points.size(),
+          "the previous result has ", prior->landmarks.points.size(), " points, start has ", start.points.size());
+    result.landmarks = prior->landmarks;
+    result.home = prior->home;
+    for (std::size_t i = 0; i < start.points.size(); ++i) {
+      Landmark& point = result.landmarks.points[i];
+      const Landmark& home = result.home.points[i];
+      const std::optional<Place> chained = point.valid ? step({point.x_px, point.y_px}) : std::nullopt;
+      const std::optional<Place> direct = first && home.valid ? (*first)({home.x_px, home.y_px}) : std::nullopt;
+      std::optional<Place> place = chained ? chained : direct;
+      if (chained && direct) {
+        const double apart_px = std::hypot(direct->x - chained->x, direct->y - chained->y);
+        if (apart_px <= options.max_pull_px) {
+          place->x += options.pull * (direct->x - chained->x);
+          place->y += options.pull * (direct->y - chained->y);
+          result.pulled_px = std::max(result.pulled_px, apart_px);
+        }
+      }
+      point.valid = place.has_value();
+      if (place) point.x_px = place->x, point.y_px = place->y;
+    }
+  }
+  if (correction) put_right(*correction, first ? &*first : nullptr, result);
+  return result;
+}
+
+}  // namespace face::track
