@@ -105,15 +105,18 @@ function(plugin name)
     target_sources(plugin_${name} PRIVATE $<TARGET_OBJECTS:face_${area}_nodes>)
     target_link_libraries(plugin_${name} PRIVATE face_${area})
   endforeach()
-  # Graphs that are commands: nodes/AREA/commands/NAME.json is run by `facegraph NAME`.
+  # Graphs that are data of a plugin: nodes/AREA/commands/NAME.json is run by `facegraph NAME`, nodes/AREA/differences/SUFFIX.json
+  # compares two files for `facegraph compare`, nodes/AREA/checks/SUFFIX.json looks at one for `facegraph doctor`.
   foreach(folder IN LISTS arg_AREAS)
-    file(GLOB commands CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/nodes/${folder}/commands/*.json)
-    foreach(command IN LISTS commands)
-      get_filename_component(file ${command} NAME)
-      add_custom_command(OUTPUT ${FACEGRAPH_PLUGIN_DIR}/commands/${file}
-        COMMAND ${CMAKE_COMMAND} -E copy ${command} ${FACEGRAPH_PLUGIN_DIR}/commands/${file} DEPENDS ${command} VERBATIM)
-      target_sources(plugin_${name} PRIVATE ${FACEGRAPH_PLUGIN_DIR}/commands/${file})
-      install(FILES ${command} DESTINATION lib/facegraph/plugins/commands)
+    foreach(kind checks commands differences)
+      file(GLOB graphs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/nodes/${folder}/${kind}/*.json)
+      foreach(graph IN LISTS graphs)
+        get_filename_component(file ${graph} NAME)
+        add_custom_command(OUTPUT ${FACEGRAPH_PLUGIN_DIR}/${kind}/${file}
+          COMMAND ${CMAKE_COMMAND} -E copy ${graph} ${FACEGRAPH_PLUGIN_DIR}/${kind}/${file} DEPENDS ${graph} VERBATIM)
+        target_sources(plugin_${name} PRIVATE ${FACEGRAPH_PLUGIN_DIR}/${kind}/${file})
+        install(FILES ${graph} DESTINATION lib/facegraph/plugins/${kind})
+      endforeach()
     endforeach()
   endforeach()
   # The list after the library, so that it is not the older one.

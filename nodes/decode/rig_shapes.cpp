@@ -90,6 +90,7 @@ ShapeNames read_shape_names(const engine::File& file) {
          ", expected an object of shape names and ARKit's names for them");
   for (const auto& [name, value] : json.items()) {
     const std::string arkit = value.is_string() ? value.get<std::string>() : std::string();
+    if (value.is_string() && arkit.empty()) continue;  // not filled in
     if (arkit_index(arkit) == arkit_count)
       fail(names.title, " at /", name, ": found ", describe_json(value),
            ", expected one of ARKit's 52 names (jawOpen, ...)");

@@ -28,7 +28,7 @@ struct ShapeNames {
   std::map<std::string, std::string> to_arkit;  // by the file's name
 };
 
-// Reads {"the file's name": "ARKit's name", ...}. Throws where a value is not ARKit's.
+// Reads {"the file's name": "ARKit's name", ...}; "" says nothing. Throws where a value is not ARKit's.
 ShapeNames read_shape_names(const engine::File& file);
 
 // Gathers shapes as a file gives them and sorts them into a rig's order: the ARKit-52, then the others as they came.

@@ -7,4 +7,5 @@ using namespace face;
 
 TYPE(FlowField, "flow_field", codec_version{1},
      doc{"Displacement of every pixel from a reference picture to a target."}, field<&FlowField::width>(),
-     field<&FlowField::height>(), field<&FlowField::displacement_px>(), field<&FlowField::valid>());
+     field<&FlowField::height>(), field<&FlowField::displacement_px>(), field<&FlowField::valid>(),
+     view{"png", "render.flow_still"}, difference{"evaluate.flow_difference"});

@@ -6,4 +6,5 @@ using namespace engine::declare;
 using namespace face;
 
 TYPE(Image, "image", codec_version{1}, doc{"An 8-bit sRGB image."}, field<&Image::width>(), field<&Image::height>(),
-     field<&Image::channels>(), field<&Image::pixels>(), view{"png", "export.png"});
+     field<&Image::channels>(), field<&Image::pixels>(), view{"png", "export.png"},
+     difference{"evaluate.image_difference"});

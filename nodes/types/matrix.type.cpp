@@ -6,4 +6,4 @@ using namespace engine::declare;
 using namespace face;
 
 TYPE(Matrix, "matrix", codec_version{1}, doc{"A matrix of numbers."}, field<&Matrix::rows>(), field<&Matrix::columns>(),
-     field<&Matrix::values>());
+     field<&Matrix::values>(), view{"npy", "export.npy"}, difference{"evaluate.matrix_difference"});

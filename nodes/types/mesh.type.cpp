@@ -9,4 +9,5 @@ TYPE(Mesh, "mesh", codec_version{1}, doc{"A polygon mesh in millimetres."}, fiel
      field<&Mesh::corners>(), field<&Mesh::polygon_starts>(), field<&Mesh::uvs>(), field<&Mesh::corner_uvs>(),
      field<&Mesh::colors_srgb>(),
      field<&Mesh::parts>(field<&Part::name>(), field<&Part::first_polygon>(), field<&Part::polygon_count>(),
-                         field<&Part::albedo_srgb>(), field<&Part::gloss>(), field<&Part::visible>()));
+                         field<&Part::albedo_srgb>(), field<&Part::gloss>(), field<&Part::visible>()),
+     view{"png", "render.mesh_still"}, view{"obj", "export.obj"}, difference{"evaluate.mesh_difference"});

@@ -6,4 +6,4 @@ using namespace engine::declare;
 using namespace face;
 
 TYPE(MeshPoints, "mesh_points", codec_version{1}, doc{"Where the vertices of a mesh are in one frame."},
-     field<&MeshPoints::points_mm>());
+     field<&MeshPoints::points_mm>(), view{"png", "render.points_still"}, difference{"evaluate.points_difference"});

@@ -13,4 +13,5 @@ TYPE(Rig, "rig", codec_version{1}, doc{"A head and its blend shapes, the ARKit-5
                                               field<&Part::gloss>(), field<&Part::visible>())),
      field<&Rig::shapes>(field<&Shape::name>(), field<&Shape::vertices>(), field<&Shape::offsets_mm>()),
      field<&Rig::missing>(), field<&Rig::inner_lips>(field<&LipPair::upper>(), field<&LipPair::lower>()),
-     field<&Rig::lower_lip>(), field<&Rig::upper_teeth>(), field<&Rig::landmarks68>());
+     field<&Rig::lower_lip>(), field<&Rig::upper_teeth>(), field<&Rig::landmarks68>(), view{"png", "render.rig_still"},
+     difference{"evaluate.rig_difference"});

@@ -5,4 +5,5 @@
 using namespace engine::declare;
 using namespace face;
 
-TYPE(Weights, "weights", codec_version{1}, doc{"Blend-shape weights of one frame."}, field<&Weights::values>());
+TYPE(Weights, "weights", codec_version{1}, doc{"Blend-shape weights of one frame."}, field<&Weights::values>(),
+     difference{"evaluate.weights_difference"});

@@ -15,6 +15,7 @@ ReadLandmarksResult landmarks(const std::string& json) {
   const test::Temporary temporary;
   return read_landmarks(engine::File::at(temporary.write("points.json", json)));
 }
+ReadLandmarksResult landmarks_of(const std::string& path) { return read_landmarks(engine::File::at(path)); }
 engine::Seq<Landmarks> corrections(const std::string& json) {
   const test::Temporary temporary;
   return read_corrections(engine::File::at(temporary.write("fix.json", json)));
@@ -65,6 +66,63 @@ TEST(ReadLandmarks, RejectsWhatIsNoLandmarkFile) {
                     "points.json at /points/a/1: found \"two\", expected a number");
   EXPECT_THROW_TEXT(landmarks(R"({"image_size": [1, 2], "points": {"a": 1}})"),
                     "points.json at /points/a: found 1, expected [x, y] in pixels");
+}
+
+TEST(ReadLandmarks, ReadsTheSharesOfMediaPipeByTheSizeOfTheImage) {
+  const test::Temporary temporary;
+  const Image image{200, 100, 1, std::vector<std::uint8_t>(20000)};
+  const std::string face = R"([{"x": 0.5, "y": 0.25, "z": -0.1}, {"x": 1.01, "y": 0.5, "z": 0}])";
+  for (const std::string& text :
+       {face, "[" + face + "]", R"({"face_landmarks": [)" + face + "]}", R"({"faceLandmarks": [)" + face + "]}",
+        R"({"multi_face_landmarks": [{"landmark": )" + face + "}]}"}) {
+    const auto result = read_landmarks(engine::File::at(temporary.write("face.json", text)), &image);
+    ASSERT_EQ(result.landmarks.points.size(), 2u) << text;
+    EXPECT_EQ(result.landmarks.points[0].name, "0");
+    EXPECT_EQ(result.landmarks.points[0].x_px, 99.5);  // the middle lies between pixels 99 and 100
+    EXPECT_EQ(result.landmarks.points[0].y_px, 24.5);
+    EXPECT_TRUE(result.landmarks.points[0].valid);
+    EXPECT_FALSE(result.landmarks.points[1].valid);  // outside
+    EXPECT_EQ(result.image_width_px, 200);
+  }
+  EXPECT_EQ(landmarks(R"({"image_size": [400, 100], "landmarks": [{"x": 0.5, "y": 0.5}]})").landmarks.points[0].x_px,
+            199.5);
+  EXPECT_THROW_TEXT(landmarks(R"([{"x": 0.5, "y": 0.5}])"),
+                    "points.json: its points are shares of an image's width and height: connect the image, or put "
+                    "\"image_size\": [width, height] into the file");
+  EXPECT_THROW_TEXT(landmarks(R"({"image_size": [4, 4], "landmarks": [{"x": 0, "y": 0}, {"x": 0}]})"),
+                    "points.json at /landmarks/1: found {\"x\":0}, expected an object with \"y\"");
+}
+
+TEST(ReadLandmarks, ReadsPtsWhosePixelsCountFromOne) {
+  const test::Temporary temporary;
+  const auto read = [&](const std::string& text, const Image* image = nullptr) {
+    return read_landmarks(engine::File::at(temporary.write("face.pts", text)), image);
+  };
+  const auto result = read("version: 1\r\nn_points:  2\r\n{\r\n1.0 2.5\r\n 10 20 \r\n}\r\n");
+  ASSERT_EQ(result.landmarks.points.size(), 2u);
+  EXPECT_EQ(result.landmarks.points[0].name, "0");
+  EXPECT_EQ(result.landmarks.points[0].x_px, 0);
+  EXPECT_EQ(result.landmarks.points[0].y_px, 1.5);
+  EXPECT_EQ(result.landmarks.points[1].x_px, 9);
+  EXPECT_EQ(result.image_width_px, 0);
+  const Image small{5, 5, 1, std::vector<std::uint8_t>(25)};
+  EXPECT_THROW_TEXT(read("n_points: 1\n{\n9 2\n}\n", &small),
+                    "face.pts:3: found (8, 1), expected a point inside the image of 5 x 5 pixels");
+  EXPECT_THROW_TEXT(read("version: 1\nn_points: 3\n{\n1 2\n}\n"), "face.pts: found 1 points, n_points says 3");
+  EXPECT_THROW_TEXT(read("version: 1\n{\n1 two\n}\n"), "face.pts:3: found \"1 two\", expected x and y of a point");
+  EXPECT_THROW_TEXT(read("version: 1\n{\n1 2\n"), "face.pts:3: found the end of the file, expected }");
+  EXPECT_THROW_TEXT(read("hello\n"), "face.pts:1: found \"hello\", expected version:, n_points: or {");
+}
+
+TEST(ReadLandmarks, RejectsAnImageOfAnotherSizeAndOtherFiles) {
+  const test::Temporary temporary;
+  const Image image{4, 4, 1, std::vector<std::uint8_t>(16)};
+  EXPECT_THROW_TEXT(
+      read_landmarks(engine::File::at(temporary.write("p.json", R"({"image_size": [3, 4], "points": {"a": [1, 1]}})")),
+                     &image),
+      "p.json at /image_size: found 3 x 4, but the image is 4 x 4 pixels");
+  EXPECT_THROW_TEXT(landmarks_of(temporary.write("face.xml", "<x/>")),
+                    "face.xml: found the suffix \".xml\", expected our JSON, MediaPipe's JSON, or .pts");
 }
 
 TEST(ReadCorrections, GathersThePointsOfAFrameAndSortsFrames) {

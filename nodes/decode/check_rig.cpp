@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/check_rig.h"
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/gltf_file.h"
+#include "nodes/decode/ict_rig.h"
+#include "nodes/decode/input_file.h"
+#include "nodes/decode/read_rig.h"
+#include "nodes/decode/rig_shapes.h"
+#include "nodes/types/arkit.h"
+
+namespace face::decode {
+namespace {
+
+// Words that riggers use for ARKit's.
+const std::map<std::string, std::string>& synonyms() {
+  static const std::map<std::string, std::string> words = {
+      {"l", "left"},       {"r", "right"},      {"lft", "left"},       {"rgt", "right"},     {"rt", "right"},
+      {"lf", "left"},      {"lip", "mouth"},    {"lips", "mouth"},     {"eyes", "eye"},      {"lid", "eye"},
+      {"eyelid", "eye"},   {"brows", "brow"},   {"eyebrow", "brow"},   {"kiss", "pucker"},   {"opened", "open"},
+      {"closed", "close"}, {"raise", "up"},     {"raised", "up"},      {"lowered", "down"},  {"lower", "lower"},
+      {"puffed", "puff"},  {"cheeks", "cheek"}, {"sneering", "sneer"}, {"smiling", "smile"}, {"forwards", "forward"},
+      {"bottom", "lower"}, {"top", "upper"},    {"sad", "frown"},      {"wink", "blink"},    {"outer", "outer"}};
+  return words;
+}
+
+// "mouthSmile_L" -> mouth, smile, left
+std::vector<std::string> words_of(std::string_view name) {
+  if (const std::size_t dot = name.find_last_of('.'); dot != std::string_view::npos && dot + 2 < name.size())
+    name.remove_prefix(dot + 1);
+  std::vector<std::string> words(1);
+  bool was_lower = false;
+  for (const char c : name) {
+    const bool upper = c >= 'A' && c <= 'Z', small = c >= 'a' && c <= 'z';
+    if ((!upper && !small) || (upper && was_lower)) words.emplace_back();
+    if (upper || small) words.back() += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    was_lower = small;
+  }
+  std::erase(words, "");
+  for (std::string& word : words)
+    if (const auto same = synonyms().find(word); same != synonyms().end()) word = same->second;
+  return words;
+}
+
+// The words that both have, as a share of all that either has.
+double likeness(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  const std::set<std::string> x(a.begin(), a.end()), y(b.begin(), b.end());
+  std::set<std::string> all = x;
+  all.insert(y.begin(), y.end());
+  std::size_t shared = 0;
+  for (const std::string& word : x) shared += y.count(word);
+  return all.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(all.size());
+}
+
+// Names of the file's shapes, each once, in its order.
+std::vector<std::string> shape_names(const engine::File& file) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (file.is_folder() && is_obj_rig(file)) {
+    const std::string neutral = obj_rig_neutral(file).name;
+    for (const engine::File::Entry& entry : file.entries()) {
+      const std::string leaf = entry.name.substr(entry.name.find_last_of('/') + 1);
+      if (entry.name != neutral && leaf.ends_with(".obj") && !leaf.starts_with("identity"))
+        add(leaf.substr(0, leaf.size() - 4));
+    }
+    return names;
+  }
+  const tinygltf::Model model = load_gltf(file, gltf_main_file(file));
+  for (const tinygltf::Mesh& mesh : model.meshes)
+    if (!mesh.primitives.empty())
+      for (std::size_t t = 0; t < mesh.primitives[0].targets.size(); ++t) add(gltf_target_name(mesh, t));
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string about(const Rig& rig) {
+  const std::vector<Vec3f>& points = rig.neutral.points_mm;
+  Vec3f low = points.empty() ? Vec3f{} : points[0], high = low;
+  for (const Vec3f& p : points)
+    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], p[c]), high[c] = std::max(high[c], p[c]);
+  std::string text = message(points.size(), " vertices, ", rig.neutral.polygon_count(), " polygons; ",
+                             std::lround(high[0] - low[0]), " mm wide, ", std::lround(high[1] - low[1]), " mm high, ",
+                             std::lround(high[2] - low[2]), " mm deep: where that is wrong, set decode.rig's unit\n");
+  text += rig.inner_lips.empty() ? "the lips were not found: jawOpen does not part them; closures cannot be judged\n"
+                                 : message("lips: ", rig.inner_lips.size(), " pairs of vertices that meet\n");
+  text += rig.upper_teeth.empty()
+              ? "no upper teeth were found: name a mesh or a material \"teeth\" where there are some\n"
+              : "upper teeth were found\n";
+  return text;
+}
+
+}  // namespace
+
+std::string guess_arkit(std::string_view name, const std::vector<std::string>& candidates) {
+  constexpr double enough = 0.5;  // half of all words
+  const std::vector<std::string> words = words_of(name);
+  std::string best;
+  double best_likeness = 0;
+  bool twice = false;
+  for (const std::string& candidate : candidates) {
+    const double here = likeness(words, words_of(candidate));
+    if (here > best_likeness) {
+      best = candidate;
+      best_likeness = here;
+      twice = false;
+    } else if (here == best_likeness) {
+      twice = true;
+    }
+  }
+  return best_likeness >= enough && !twice ? best : std::string();
+}
+
+CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
+  CheckRigResult result;
+  const std::string title = title_of(file);
+  nlohmann::ordered_json proposed = nlohmann::ordered_json::object();
+  const auto finish = [&] {
+    result.names = engine::File::from_bytes(proposed.dump(2) + "\n", ".json");
+    return result;
+  };
+  std::vector<std::string> found;
+  ShapeNames given;
+  try {
+    if (names) given = read_shape_names(*names);
+    found = shape_names(file);
+  } catch (const Error& error) {
+    result.text = std::string(error.what()) + "\n";
+    return finish();
+  }
+  std::set<std::string> known;
+  std::vector<std::string> strange;
+  for (const std::string& name : found) {
+    const auto mapped = given.to_arkit.find(name);
+    const std::string arkit = mapped != given.to_arkit.end() ? mapped->second : arkit_spelling(name);
+    if (arkit_index(arkit) < arkit_count)
+      known.insert(arkit);
+    else
+      strange.push_back(name);
+  }
+  std::vector<std::string> lacking;
+  for (const std::string_view name : arkit_names)
+    if (!known.contains(std::string(name))) lacking.emplace_back(name);
+  result.text =
+      message(title, ": ", found.size(), " shapes; ", known.size(), " of ARKit's ", arkit_count, " are there\n");
+  if (!lacking.empty()) result.text += "lacks " + listed(lacking) + "\n";
+  for (const auto& [name, arkit] : given.to_arkit) proposed[name] = arkit;
+  std::size_t guesses = 0, blanks = 0;
+  std::vector<std::string> left = lacking;
+  for (const std::string& name : strange) {
+    const std::string guess = guess_arkit(name, left);
+    proposed[name] = guess;
+    if (!guess.empty()) {
+      std::erase(left, guess);
+      result.text += message("names.json proposes ", guess, " for \"", name, "\"\n");
+    }
+    ++(guess.empty() ? blanks : guesses);
+  }
+  if (!strange.empty())
+    result.text +=
+        message(strange.size(), " names are none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
+                " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
+                "names=names.json\n");
+  try {
+    result.text += about(read_rig(file, names));
+    result.sound = true;
+    result.text += "it can be used as it is\n";
+  } catch (const Error& error) {
+    result.text += std::string("as it is it cannot be used: ") + error.what() + "\n";
+  }
+  return finish();
+}
+
+}  // namespace face::decode

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/check_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "nodes/decode/read_rig.h"
+#include "nodes/types/arkit.h"
+#include "tests/nodes/decode/temporary.h"
+
+using namespace face;
+using namespace face::decode;
+
+TEST(GuessArkit, GoesByTheWordsOfAName) {
+  const std::vector<std::string> all = {"jawOpen",         "mouthPucker",  "mouthSmileLeft",
+                                        "mouthSmileRight", "eyeBlinkLeft", "browInnerUp"};
+  EXPECT_EQ(guess_arkit("Smile_L_mouth", all), "mouthSmileLeft");
+  EXPECT_EQ(guess_arkit("open.jaw", all), "");  // what stands before a dot is no name
+  EXPECT_EQ(guess_arkit("Jaw opened", all), "jawOpen");
+  EXPECT_EQ(guess_arkit("lips-kiss", all), "mouthPucker");
+  EXPECT_EQ(guess_arkit("BlinkLeft", all), "eyeBlinkLeft");
+  EXPECT_EQ(guess_arkit("inner_brow_raise", all), "browInnerUp");
+  EXPECT_EQ(guess_arkit("smile", all), "");  // left or right
+  EXPECT_EQ(guess_arkit("Key 12", all), "");
+  EXPECT_EQ(guess_arkit("", all), "");
+}
+
+TEST(CheckRig, ProposesNamesAndTheProposalServes) {
+  const test::Temporary temporary;
+  const std::string v = "v 0 0 0\nv 10 0 0\nv 0 20 0\n", f = "f 1 2 3\n";
+  std::vector<engine::File::Entry> entries;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    entries.push_back({name, temporary.write(name, text)});
+  };
+  add("neutral.obj", v + f);
+  for (const char* name :
+       {"Jaw_Opened", "mouth closing", "mouthClose", "lips_funnel", "lip_kiss", "roll_lower_lip", "Key7"})
+    add(std::string(name) + ".obj", "v 0 -1 0\nv 10 0 0\nv 0 20 0\n");
+  add("roll_upper_mouth.obj", "v 0 -2 0\nv 10 0 0\nv 0 20 0\n");
+  const engine::File folder = engine::File::folder(temporary.folder().string(), entries);
+  const CheckRigResult first = check_rig(folder, nullptr);
+  EXPECT_FALSE(first.sound);
+  EXPECT_NE(first.text.find("8 shapes; 1 of ARKit's 52 are there\n"), std::string::npos) << first.text;
+  EXPECT_NE(first.text.find("names.json proposes jawOpen for \"Jaw_Opened\"\n"), std::string::npos) << first.text;
+  EXPECT_NE(first.text.find("as it is it cannot be used: "), std::string::npos) << first.text;
+  const auto names = nlohmann::json::parse(first.names.bytes());
+  EXPECT_EQ(names["lip_kiss"], "mouthPucker");
+  EXPECT_EQ(names["Key7"], "");
+
+  const engine::File filled = engine::File::at(temporary.write("names.json", first.names.bytes()));
+  const CheckRigResult second = check_rig(folder, &filled);
+  EXPECT_TRUE(second.sound) << second.text;
+  EXPECT_NE(second.text.find("it can be used as it is\n"), std::string::npos);
+  EXPECT_NE(second.text.find("100 mm wide, 200 mm high"), std::string::npos) << second.text;
+  EXPECT_EQ(read_rig(folder, &filled).shapes[arkit_index("jawOpen")].vertices.size(), 1u);
+}
+
+TEST(CheckRig, SaysWhatIsNoRig) {
+  const test::Temporary temporary;
+  const CheckRigResult result = check_rig(engine::File::at(temporary.write("head.glb", "no")), nullptr);
+  EXPECT_FALSE(result.sound);
+  EXPECT_NE(result.text.find("head.glb: "), std::string::npos);
+  EXPECT_EQ(result.names.bytes(), "{}\n");
+}
