@@ -72,15 +72,31 @@ void check_flow(const FlowField& flow, const std::string& name) {
         " has ", flow.displacement_px.size(), " displacements, expected ", flow.width, " x ", flow.height);
 }
 
+std::string names_of(const Landmarks& landmarks) {
+  std::string names;
+  for (const Landmark& p : landmarks.points) names += (names.empty() ? "" : ", ") + p.name;
+  return names;
+}
+
+Landmarks followed(const Landmarks& start, const std::vector<std::string>& names) {
+  if (names.empty()) return start;
+  Landmarks chosen;
+  for (const std::string& name : names) {
+    const auto point =
+        std::find_if(start.points.begin(), start.points.end(), [&](const Landmark& p) { return p.name == name; });
+    check(point != start.points.end(), "names has the point ", name, ", which start does not have; it has ",
+          names_of(start));
+    chosen.points.push_back(*point);
+  }
+  return chosen;
+}
+
 void put_right(const Landmarks& correction, const Motion* first, ChainFlowResult& result) {
   for (const Landmark& fixed : correction.points) {
     const auto point = std::find_if(result.landmarks.points.begin(), result.landmarks.points.end(),
                                     [&](const Landmark& p) { return p.name == fixed.name; });
-    if (point == result.landmarks.points.end()) {
-      std::string names;
-      for (const Landmark& p : result.landmarks.points) names += (names.empty() ? "" : ", ") + p.name;
-      fail("a correction names the point ", fixed.name, ", which start does not have; it has ", names);
-    }
+    check(point != result.landmarks.points.end(), "a correction names the point ", fixed.name,
+          ", which is not followed; these are ", names_of(result.landmarks));
     check(std::isfinite(fixed.x_px) && std::isfinite(fixed.y_px), "the correction of ", fixed.name, " is at (",
           fixed.x_px, ", ", fixed.y_px, "), expected finite numbers");
     *point = {fixed.name, fixed.x_px, fixed.y_px, true};
@@ -106,13 +122,13 @@ ChainFlowResult chain_flow(const FlowField& flow, const FlowField* from_first, c
   }
   ChainFlowResult result;
   if (!prior) {
-    result.landmarks = result.home = start;
+    result.landmarks = result.home = followed(start, options.names);
   } else {
-    check(prior->landmarks.points.size() == start.points.size() && prior->home.points.size() == start.points.size(),
-          "the previous result has ", prior->landmarks.points.size(), " points, start has ", start.points.size());
+    check(prior->landmarks.points.size() == prior->home.points.size(), "the previous result has ",
+          prior->landmarks.points.size(), " points and ", prior->home.points.size(), " at home");
     result.landmarks = prior->landmarks;
     result.home = prior->home;
-    for (std::size_t i = 0; i < start.points.size(); ++i) {
+    for (std::size_t i = 0; i < result.landmarks.points.size(); ++i) {
       Landmark& point = result.landmarks.points[i];
       const Landmark& home = result.home.points[i];
       const std::optional<Place> chained = point.valid ? step({point.x_px, point.y_px}) : std::nullopt;

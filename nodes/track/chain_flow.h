@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "engine/port.h"
 #include "nodes/types/flow_field.h"
@@ -9,13 +10,14 @@
 namespace face::track {
 
 struct ChainFlowOptions {
-  bool half_size = false;  // flows are of pictures of half the width and height
+  std::vector<std::string> names;  // of the start points that are followed, in this order; none = all of them
+  bool half_size = false;          // flows are of pictures of half the width and height
   double pull = 0.3;       // share of the difference to the flow from the first frame that is taken back per frame
   double max_pull_px = 3;  // a larger difference says that one of the two has lost the point: nothing is taken back
 };
 
 struct ChainFlowResult {
-  Landmarks landmarks;   // in the order of the start points
+  Landmarks landmarks;   // in the order of `names` or of the start points
   Landmarks home;        // where each of them is on the first frame
   double pulled_px = 0;  // largest difference of the two flows at a point that was pulled
 };
@@ -26,11 +28,11 @@ struct ChainFlowResult {
 // long as the two agree to max_pull_px.
 //
 // flow: from the previous frame to this one. from_first: from the first frame to this one, null = chains alone; both of
-// face_flow. start: the points on the first frame; the result there. correction: points of this frame that somebody put
-// right, by name; null where there are none. A corrected point goes on from where it was put, by the stored flows, to
-// its next correction, and what it was before leaves no trace: its place on the first frame is found again from the
-// flow. No other point changes. prior: this function's result for the previous frame.
-// A point that leaves the flow's valid pixels is not valid and keeps its last place; the flow from the first frame may
+// face_flow. start: the points on the first frame; the result there is those that `names` has. correction: points of
+// this frame that somebody put right, by name; null where there are none. A corrected point goes on from where it was
+// put, by the stored flows, to its next correction, and what it was before leaves no trace: its place on the first
+// frame is found again from the flow. No other point changes. prior: this function's result for the previous frame. A
+// point that leaves the flow's valid pixels is not valid and keeps its last place; the flow from the first frame may
 // bring it back.
 ChainFlowResult chain_flow(const FlowField& flow, const FlowField* from_first, const Landmarks& start,
                            const Landmarks* correction, const engine::Prior<ChainFlowResult>& prior,

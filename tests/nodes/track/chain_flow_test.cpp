@@ -109,6 +109,18 @@ TEST(ChainFlow, ACorrectionGoesOnFromItsFrameToTheNextOne) {
   for (int t = 0; t < 5; ++t) EXPECT_EQ(fixed[t].landmarks.points[0].x_px, plain[t].landmarks.points[0].x_px);
 }
 
+TEST(ChainFlow, FollowsTheNamedPointsAlone) {
+  ChainFlowOptions options;
+  options.names = {"48"};
+  const auto found = run({still(), shift(1, 0)}, {}, {}, options);
+  ASSERT_EQ(found[1].landmarks.points.size(), 1u);
+  EXPECT_EQ(found[1].landmarks.points[0].name, "48");
+  EXPECT_NEAR(found[1].landmarks.points[0].x_px, 31.25, 1e-6);
+  options.names = {"49"};
+  EXPECT_THROW_TEXT(run({still()}, {}, {}, options),
+                    "names has the point 49, which start does not have; it has 00, 48");
+}
+
 TEST(ChainFlow, APointOutsideTheFlowKeepsItsPlaceAndComesBack) {
   FlowField blind = still();
   blind.valid.assign(blind.valid.size(), 0);
@@ -122,7 +134,7 @@ TEST(ChainFlow, APointOutsideTheFlowKeepsItsPlaceAndComesBack) {
 TEST(ChainFlow, RejectsWhatDoesNotFit) {
   const Landmarks wrong{{{"77", 1, 2, true}}};
   EXPECT_THROW_TEXT(run({still()}, {}, {&wrong}),
-                    "a correction names the point 77, which start does not have; it has 00, 48");
+                    "a correction names the point 77, which is not followed; these are 00, 48");
   FlowField small = still();
   small.displacement_px.pop_back();
   EXPECT_THROW_TEXT(run({small}, {}), "flow has 2999 displacements, expected 60 x 50");
