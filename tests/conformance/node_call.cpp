@@ -32,12 +32,19 @@ class MemoryCall final : public engine::Call, public engine::Progress {
     values.resize(node.info.outputs.size());
     ids.resize(values.size());
   }
-  AnyValue value(std::size_t input) override { return inputs_[input].absent ? nullptr : inputs_[input].value; }
+  AnyValue value(std::size_t input) override {
+    const PortValue& given = inputs_[input];
+    if (given.absent) return nullptr;
+    return prior_.empty() && node_.info.prior && given.before ? given.before : given.value;
+  }
   std::shared_ptr<const engine::SequenceAccess> sequence(std::size_t input) override {
     return inputs_[input].absent ? nullptr : std::make_shared<Elements>(inputs_[input].elements);
   }
   WindowValues window(std::size_t input) override {
-    return {inputs_[input].elements, inputs_[input].elements.size() / 2};
+    const engine::InputInfo& port = node_.info.inputs[input];
+    const std::vector<AnyValue>& elements = inputs_[input].elements;
+    const std::size_t last = elements.empty() ? 0 : elements.size() - 1;
+    return {elements, port.before == 0 ? 0 : port.after == 0 ? last : elements.size() / 2};
   }
   std::vector<AnyValue> prior() override { return prior_; }
   const engine::ParamValue& param(std::size_t index) override { return params_[index]; }

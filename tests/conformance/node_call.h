@@ -16,6 +16,7 @@ using AnyValue = std::shared_ptr<const void>;
 struct PortValue {
   bool absent = false;
   AnyValue value;
+  AnyValue before;                 // the value at the preceding element, where it is another
   std::vector<AnyValue> elements;  // ids 0, 1, ...
 };
 using PortValues = std::vector<PortValue>;

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nodes are called with: the samples of their ports' types, and what a few nodes want instead.
+// What nodes are called with: the samples of their ports' types (tests/support/samples.cpp), and what some nodes want
+// instead (samples/AREA.cpp).
 #pragma once
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "engine/plugin/plugins.h"
 #include "tests/conformance/node_call.h"
+#include "tests/conformance/samples/area_samples.h"
 
 namespace conformance {
 
-// Nodes that are not called, with the reason. A new node is not added here: it gets samples.
-const std::map<std::string, std::string>& nodes_without_sample();
-
-// Parameters and inputs, as "node.name", that count only where the samples do not lead, with the reason. The suite
-// fails when one of them does count: then it goes from here.
-const std::map<std::string, std::string>& shown_elsewhere();
-
-// Parameters that samples need set, as they are too small, or too large, for the defaults.
+// A node's parameters in the samples, and with some of them set otherwise.
 Params sample_params(const engine::NodeInfo& info);
+Params with_params(const engine::NodeInfo& info, const ParamValues& setting);
 
-// Further values to try for a parameter of type text (an integer for a number), beside the usual ones.
 std::vector<engine::ParamValue> further_values(const std::string& node, const std::string& param);
+std::vector<ParamValues> further_settings(const std::string& node);
 
 // One port's sample; nullopt where its type has none. Variants differ.
 std::optional<PortValue> port_sample(engine::Plugins& plugins, const engine::NodeDeclaration& node, std::size_t port,

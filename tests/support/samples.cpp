@@ -48,24 +48,26 @@ using namespace face;
 
 constexpr int width = 64, height = 48;  // of pictures and maps
 constexpr int columns = 21, rows = 25;  // of the face's grid of vertices
+constexpr int hair_rows = 1;            // from above
 constexpr int upper_lip_row = 9;        // rows from below; the lower lip is the row before it
 constexpr double frame_s = 0.04;
 constexpr int frames = 4;
 
 float wave(double x) { return static_cast<float>(std::sin(x)); }
 
-// A bulging sheet, 150 mm wide and 200 mm high, with a mouth slit between two rows.
+// A bulging sheet, 150 mm wide and 220 mm high, with a mouth slit between two rows.
 Mesh make_mesh(int variant) {
   Mesh mesh;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
       const float x = 7.5f * static_cast<float>(c - columns / 2);
-      float y = 8.0f * static_cast<float>(r - rows / 2);
-      if (r == upper_lip_row - 1) y += 7.5f;  // the lips all but touch
+      float y = 9.2f * static_cast<float>(r - rows / 2);
+      if (r == upper_lip_row - 1) y += 8.7f;  // the lips all but touch
       const float bulge = 70 * (1 - x * x / 8100 - y * y / 19600);
       const float person = static_cast<float>(variant) * (1 + wave(0.05 * x + 0.03 * y));
-      mesh.points_mm.push_back({x, y, bulge + person});
-      mesh.uvs.push_back({static_cast<float>(c) / (columns - 1), static_cast<float>(r) / (rows - 1)});
+      const float size = 1 + 0.01f * static_cast<float>(variant);
+      mesh.points_mm.push_back({size * x, size * y, bulge + person});
+      mesh.uvs.push_back({size * static_cast<float>(c) / columns, size * static_cast<float>(r) / rows});
       mesh.colors_srgb.push_back({0.8f, 0.6f + 0.1f * wave(c), 0.5f + 0.05f * wave(r + variant)});
     }
   mesh.polygon_starts.push_back(0);
@@ -79,10 +81,16 @@ Mesh make_mesh(int variant) {
       }
       mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
     }
-  Part skin;
-  skin.name = "skin";
-  skin.polygon_count = static_cast<std::uint32_t>(mesh.polygon_count());
-  mesh.parts.push_back(skin);
+  constexpr auto hair_polygons = static_cast<std::uint32_t>(hair_rows * (columns - 1));
+  Part face;
+  face.name = "face";
+  face.gloss = 0.3f;
+  face.polygon_count = static_cast<std::uint32_t>(mesh.polygon_count()) - hair_polygons;
+  Part hair = face;
+  hair.name = "hair";
+  hair.first_polygon = face.polygon_count;
+  hair.polygon_count = hair_polygons;
+  mesh.parts = {face, hair};
   return mesh;
 }
 
@@ -157,12 +165,14 @@ Rig make_rig(int variant) {
   Rig rig;
   rig.neutral = make_mesh(variant);
   rig.shapes = make_shapes(rig.neutral, variant);
-  for (std::uint32_t c = 8; c < 13; ++c) {
+  const std::uint32_t first = variant % 2 == 0 ? 8 : 7;
+  for (std::uint32_t c = first; c < first + 5; ++c) {
     rig.inner_lips.push_back({upper_lip_row * columns + c, (upper_lip_row - 1) * columns + c});
     rig.lower_lip.push_back((upper_lip_row - 1) * columns + c);
     rig.upper_teeth.push_back((upper_lip_row + 1) * columns + c);
   }
-  for (const Vec2f& place : places_of_landmarks()) rig.landmarks68.push_back(nearest(rig.neutral, place));
+  for (const Vec2f& place : places_of_landmarks())
+    rig.landmarks68.push_back(nearest(rig.neutral, {place[0], place[1] + 4.0f * static_cast<float>(variant)}));
   return rig;
 }
 
@@ -268,17 +278,24 @@ FlowField make_flow(int variant) {
   return flow;
 }
 
+// A face with a hollow for a mouth, and slits across the brow that nothing was measured in, longer from row to row.
 DepthScan make_depth(int variant) {
   DepthScan scan;
   scan.camera.focal_px = 120;
   scan.camera.centre_x_px = (width - 1) / 2.0f;
   scan.camera.centre_y_px = (height - 1) / 2.0f;
+  scan.camera.position_mm[0] = static_cast<float>(variant);
   scan.picture = make_image(variant);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      scan.depth_mm.push_back(x < 3 ? 0
-                                    : 560 + 0.05f * static_cast<float>((x - 32) * (x - 32) + (y - 24) * (y - 24)) +
-                                          static_cast<float>(variant));
+    for (int x = 0; x < width; ++x) {
+      const float dx = static_cast<float>(x - width / 2), dy = static_cast<float>(y - height / 2);
+      float depth = 560 + 0.05f * (dx * dx + dy * dy) + static_cast<float>(variant);
+      if (std::abs(x - 32) <= 5 && std::abs(y - 33) <= 2) depth += 20;
+      if (y >= 8 && y < 14 && x > 21) depth -= 4 * static_cast<float>(y - 8);
+      const bool slit = y >= 8 && y < 14 && x >= 22 && x < 26 + 2 * (y - 8);
+      const float across = (dx - static_cast<float>(variant)) / 28, along = dy / 23;
+      scan.depth_mm.push_back(slit || across * across + along * along > 1 ? 0 : depth);
+    }
   return scan;
 }
 
@@ -319,8 +336,15 @@ SurfaceDots make_dots(int variant) {
 }
 
 FeatureMap make_features(int variant) {
-  FeatureMap map{width, height, {"grey", "range"}, {}, {}};
-  for (int i = 0; i < 2 * width * height; ++i) map.values.push_back(0.5f + 0.4f * wave(0.05 * i + 0.3 * variant));
+  FeatureMap map{width, height, {"grey", "radius"}, {}, {}};
+  for (int c = 0; c < 2; ++c)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const double u = x - 0.7 * variant, v = y + 0.4 * variant;
+        const float bump = wave(0.31 * u + 0.2 * c) * wave(0.23 * v + 0.1 * u);
+        map.values.push_back(c == 0 ? 128 + 90 * bump : 80 + 6 * bump);
+      }
+  map.values[20 * width + 30] = 250;  // a wild pixel
   map.valid.assign(static_cast<std::size_t>(width) * height, 1);
   return map;
 }
@@ -377,7 +401,9 @@ Makers makers() {
   all["camera"] = made_by([](int v) {
     Camera camera;
     camera.position_mm = {10.0f * static_cast<float>(v), 0, 600};
-    camera.focal_px = 900;
+    camera.focal_px = 120;
+    camera.centre_x_px = (width - 1) / 2.0f;
+    camera.centre_y_px = (height - 1) / 2.0f;
     return camera;
   });
   all["cylinder_scan"] = maker(make_cylinder);
@@ -389,6 +415,7 @@ Makers makers() {
     fit.albedo = {0.2f};
     fit.image_width_px = width;
     fit.image_height_px = height;
+    fit.camera.position_mm[2] = 600 - 40.0f * static_cast<float>(v % 4);
     fit.camera.focal_px = 120;
     fit.camera.centre_x_px = 31.5f;
     fit.camera.centre_y_px = 23.5f;

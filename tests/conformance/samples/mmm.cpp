@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "nodes/types/image.h"
+#include "nodes/types/matrix.h"
+#include "nodes/types/phones.h"
+#include "nodes/types/timeline.h"
+#include "nodes/types/weights.h"
+#include "tests/conformance/samples/shared.h"
+#include "tests/support/samples.h"
+
+namespace conformance {
+namespace {
+
+// A head that moved by some pixels.
+const Maker perspective = made([](int variant) {
+  return face::Matrix{3, 3, {1, 0.01, 1.5 + variant, -0.01, 1, 2, 0, 1e-4, 1}};
+});
+
+// As many as a model of two pictures has.
+const Maker parameters = made([](int variant) {
+  const float more = 0.1f * static_cast<float>(variant);
+  return face::Weights{{0.4f + more, 0.6f, 0.7f - more, 0.3f + more}};
+});
+
+// A video that ends with the phones; variants end later.
+Sample spoken_timeline(engine::Plugins& plugins, int variant) {
+  auto timeline = value_of<face::Timeline>(another("timeline", 0), plugins, variant);
+  timeline.duration_s = value_of<face::Phones>(another("phones", 0), plugins, 0).duration_s + 0.5 * variant;
+  return held(timeline);
+}
+
+Sample moved_speaker(engine::Plugins& plugins, int variant) { return speaker_points(plugins, variant + 3); }
+
+const Maker mouth_picture = changed<face::Image>(another("image", 2), [](face::Image& image, int) {
+  face::Image part{24, 16, 3, {}};
+  for (int y = 0; y < part.height; ++y)
+    for (int i = 0; i < 3 * part.width; ++i)
+      part.pixels.push_back(image.pixels[static_cast<std::size_t>(3 * image.width * y + i)]);
+  image = part;
+});
+
+const Registered mmm({
+    .inputs =
+        {
+            {"mmm.scale_motion.reference", speaker_points},
+            {"mmm.scale_motion.landmarks", moved_speaker},
+            {"mmm.normalise.frame", another("image", 2)},
+            {"mmm.analyse.image", another("image", 1)},
+            {"mmm.paste.mouths", mouth_picture},
+            {"mmm.head_mask.frame", sized_picture},
+            {"mmm.head_mask.landmarks", two_digit_points},
+            {"mmm.warp_perspective.perspective", perspective},
+            {"mmm.build.exemplars", columns_of({{0, 2}, {1, 3}})},
+            {"mmm.synthesise.parameters", parameters},
+            {"mmm.check_labels.timeline", spoken_timeline},
+        },
+    .types = {{"mmm", made_by("mmm.build", "model")}},
+    .params = {{"mmm.paste.left_px", whole(10)}, {"mmm.paste.top_px", whole(20)}, {"mmm.paste.feather_px", 4.0}},
+});
+
+}  // namespace
+}  // namespace conformance

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/types/landmarks.h"
+#include "nodes/types/rig.h"
+#include "nodes/types/weights.h"
+#include "tests/conformance/samples/shared.h"
+
+namespace conformance {
+namespace {
+
+// Without the outline: the sample's head is a sheet, which has none.
+const Maker inner_points = changed<face::Landmarks>(face_points, [](face::Landmarks& landmarks, int) {
+  landmarks.points.erase(landmarks.points.begin(), landmarks.points.begin() + 17);
+});
+
+// With more shapes of its own from variant to variant.
+const Maker larger_rig = changed<face::Rig>(another("rig", 0), [](face::Rig& rig, int variant) {
+  for (int s = 0; s < variant; ++s) rig.shapes.push_back({"own_" + std::to_string(s), {}, {}});
+});
+
+const Registered model({
+    .inputs =
+        {
+            {"model.region_pca.weights", matrices(525, 1)},
+            {"model.fit_landmarks.landmarks", inner_points},
+            {"model.fit_landmarks.picture", sized_picture},
+            {"model.fit_image.landmarks", inner_points},
+            {"model.fit_image.picture", made_by("phantom.video_frame", "image")},
+            {"model.fit_images.landmarks", inner_points},
+            {"model.fit_images.pictures", made_by("phantom.video_frame", "image")},
+            {"model.mouth_shapes.rig", larger_rig},
+            {"model.rebuild_shape.coefficients", made([](int variant) {
+               return face::Weights{{0.5f, 0.2f + 0.1f * static_cast<float>(variant)}};
+             })},
+        },
+    .types =
+        {
+            {"morphable_model", made_by("model.from_rig", "model")},
+            {"shape_model", made_by("model.region_pca", "model")},
+        },
+    .lengths = {{"model.fit_images.pictures", 2}, {"model.fit_images.landmarks", 2}},
+});
+
+}  // namespace
+}  // namespace conformance
