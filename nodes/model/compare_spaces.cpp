@@ -83,6 +83,10 @@ SpaceComparison compare(const Matrix& examples, const Matrix& basis) {
 
 Table compare_spaces(const MorphableModel& model) {
   const std::vector<bool> skin = skin_vertices(model.mean);
+  for (const LinearSpace* space : {&model.identity, &model.expression})
+    check(space->modes.size() == space->size() * skin.size(), "model has ", space->size(),
+          space == &model.identity ? " identities" : " expressions", " of ", space->modes.size(),
+          " offsets, expected ", skin.size(), " of each as the mean has vertices");
   Table table;
   table.columns = {"angle_deg", "smallest_angle_deg", "residual_ratio"};
   table.rows.push_back(

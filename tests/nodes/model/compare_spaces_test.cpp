@@ -99,4 +99,12 @@ TEST(CompareSpaces, RejectsSpacesOfOtherSizes) {
   EXPECT_THROW_TEXT(compare(a, b), "examples have 2 columns, the basis has 3");
 }
 
+TEST(CompareSpaces, RejectsModesThatAreNotOfTheMeshsVertices) {
+  MorphableModel model;
+  model.mean.points_mm.assign(3, {0, 0, 0});
+  model.identity = {{"wide"}, {1}, {{1, 0, 0}, {1, 0, 0}}};
+  EXPECT_THROW_TEXT(compare_spaces(model),
+                    "model has 1 identities of 2 offsets, expected 3 of each as the mean has vertices");
+}
+
 }  // namespace
