@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <stdexcept>
 
 #include "cli/commands.h"
+#include "cli/differences.h"
 #include "cli/experiments.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "engine/describe/picture.h"
 #include "engine/run/inspect.h"
 #include "engine/run/run.h"
 
@@ -17,47 +20,8 @@ namespace cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t most_bytes = 20'000'000;  // of a value that is compared number by number
-constexpr std::size_t most_pairs = 500;         // of values of one output that are
-
-std::string short_number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-// How two JSON forms differ, number by number.
-struct Difference {
-  std::size_t numbers = 0, differing = 0, others = 0;
-  double largest = 0, squares = 0;
-  std::string where;  // of the largest
-  std::string a, b;   // of the first that is no number
-  bool form = false;  // they are not made alike: lengths or keys differ
-
-  void visit(const Json& x, const Json& y, const std::string& at) {
-    if (x.is_number() && y.is_number()) {
-      ++numbers;
-      const double d = std::abs(x.get<double>() - y.get<double>());
-      if (d > 0) ++differing;
-      squares += d * d;
-      if (d > largest) largest = d, where = at;
-    } else if (x.is_object() && y.is_object()) {
-      form |= x.size() != y.size();
-      for (const auto& [key, value] : x.items())
-        if (const auto other = y.find(key); other != y.end())
-          visit(value, *other, at + "/" + key);
-        else
-          form = true;
-    } else if (x.is_array() && y.is_array()) {
-      form |= x.size() != y.size();
-      for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) visit(x[i], y[i], at + "/" + std::to_string(i));
-    } else if (x != y) {
-      if (others++ == 0) a = x.dump(), b = y.dump();
-      form |= x.type() != y.type();
-    }
-  }
-};
+using engine::escape_markup;
+namespace fs = std::filesystem;
 
 std::string shortened(const std::string& text) { return text.size() <= 60 ? text : text.substr(0, 57) + "..."; }
 
@@ -117,87 +81,14 @@ Json changes_of(const engine::Graph& a, const engine::GraphNode& x, const engine
   return changes;
 }
 
-// How the values of one output differ; null where they are equal.
-Json difference_of(const std::string& type, const engine::StoredOutput& a, const engine::StoredOutput& b,
-                   engine::Plugins& plugins, engine::Store& store, bool all) {
-  std::map<std::string, engine::Digest> others;
-  for (const engine::StoredLeaf& leaf : b.leaves) others.emplace(leaf.element, leaf.identity);
-  Json result = {{"values", a.leaves.size()}};
-  std::size_t equal = 0, only_a = 0, compared = 0, differing = 0;
-  Difference worst;
-  std::string worst_element;
-  double squares = 0;
-  std::size_t numbers = 0;
-  Json elements = Json::array();
-  for (const engine::StoredLeaf& leaf : a.leaves) {
-    const auto other = others.find(leaf.element);
-    if (other == others.end()) {
-      ++only_a;
-      continue;
-    }
-    const engine::Digest identity = other->second;
-    others.erase(other);
-    if (identity == leaf.identity) {
-      ++equal;
-      continue;
-    }
-    ++differing;
-    if (all) elements.push_back(leaf.element);
-    if (compared >= most_pairs || type == "file" || a.cheap || b.cheap) continue;
-    const auto x = engine::stored_value(type, leaf.identity, plugins, store);
-    const auto y = engine::stored_value(type, identity, plugins, store);
-    if (!x || !y || x->size_bytes() + y->size_bytes() > most_bytes) continue;
-    Difference difference;
-    difference.visit(Json::parse(x->type().show(x->data().get()), nullptr, false),
-                     Json::parse(y->type().show(y->data().get()), nullptr, false), "");
-    ++compared;
-    squares += difference.squares;
-    numbers += difference.numbers;
-    if (a.leaves.size() == 1 && (type == "number" || type == "integer" || type == "flag" || type == "text")) {
-      result["a"] = Json::parse(x->type().show(x->data().get()), nullptr, false);
-      result["b"] = Json::parse(y->type().show(y->data().get()), nullptr, false);
-    }
-    const bool form = worst.form || difference.form;
-    const std::size_t texts = worst.others + difference.others;
-    if (compared == 1 || difference.largest > worst.largest) worst = difference, worst_element = leaf.element;
-    worst.form = form;
-    worst.others = texts;
-  }
-  if (differing + only_a + others.size() == 0) return nullptr;
-  result["equal"] = equal;
-  result["differing"] = differing;
-  if (only_a > 0) result["only_in_a"] = only_a;
-  if (!others.empty()) result["only_in_b"] = others.size();
-  if (compared > 0 && numbers > 0) {
-    result["compared"] = compared;
-    result["largest_difference"] = worst.largest;
-    result["largest_at"] = (worst_element.empty() ? "" : "[" + worst_element + "]") + worst.where;
-    result["rms_difference"] = std::sqrt(squares / static_cast<double>(numbers));
-  }
-  if (compared > 0 && worst.form) result["form_differs"] = true;
-  if (compared > 0 && worst.others > 0) result["texts_differing"] = worst.others;
-  if (all && !elements.empty()) result["elements"] = elements;
-  return result;
-}
+// One node of both graphs, or one file of both folders.
+struct Entry {
+  Json json;
+  std::vector<std::pair<std::string, std::string>> shown;  // name of an output, and what a page shows of it
+};
 
 void print_difference(const std::string& name, const Json& d) {
-  std::string text = "  " + name + ": ";
-  const auto count = [&](const char* key) { return d.value(key, std::size_t{0}); };
-  if (d.contains("a"))
-    text += shortened(d["a"].dump()) + " -> " + shortened(d["b"].dump());
-  else if (count("values") == 1 && count("differing") == 1)
-    text += "differs";
-  else
-    text += std::to_string(count("differing")) + " of " + std::to_string(count("values")) + " values differ";
-  if (count("only_in_a") > 0) text += ", " + std::to_string(count("only_in_a")) + " only in A";
-  if (count("only_in_b") > 0) text += ", " + std::to_string(count("only_in_b")) + " only in B";
-  if (d.contains("largest_difference")) {
-    const std::string at = d["largest_at"];
-    text += "; by at most " + short_number(d["largest_difference"]) + (at.empty() ? "" : " at " + at);
-    if (!d.contains("a")) text += ", rms " + short_number(d["rms_difference"]);
-  }
-  if (d.contains("form_differs")) text += "; they are not made alike";
-  std::printf("%s\n", text.c_str());
+  std::printf("  %s: %s\n", name.c_str(), line_of(d).c_str());
   if (d.contains("elements")) {
     std::string list;
     for (const Json& element : d["elements"]) list += " " + element.get<std::string>();
@@ -205,10 +96,135 @@ void print_difference(const std::string& name, const Json& d) {
   }
 }
 
+void print_entry(const Json& entry) {
+  const std::string id = entry["node"];
+  if (entry.contains("only_in")) {
+    std::printf("%s: only in %s%s\n", id.c_str(), entry["only_in"].get<std::string>().c_str(),
+                entry.contains("kind") ? (" (" + entry["kind"].get<std::string>() + ")").c_str() : "");
+    return;
+  }
+  std::printf("%s\n", id.c_str());
+  for (const Json& change : entry.value("changes", Json::array()))
+    std::printf("  %s: %s -> %s\n", change["what"].get<std::string>().c_str(),
+                shortened(change["a"].get<std::string>()).c_str(), shortened(change["b"].get<std::string>()).c_str());
+  if (entry.contains("results"))
+    for (const auto& [name, difference] : entry["results"].items()) print_difference(name, difference);
+}
+
+std::string html_of(const Entry& entry) {
+  const Json& json = entry.json;
+  std::string html = "<section><h2>" + escape_markup(json["node"].get<std::string>()) + "</h2>";
+  if (json.contains("only_in")) return html + "<p>only in " + json["only_in"].get<std::string>() + "</p></section>\n";
+  if (json.contains("changes")) {
+    html += "<div class=\"wide\"><table><tr><th></th><th>A</th><th>B</th></tr>";
+    for (const Json& change : json["changes"])
+      html += "<tr><th>" + escape_markup(change["what"].get<std::string>()) + "</th><td>" +
+              escape_markup(change["a"].get<std::string>()) + "</td><td>" +
+              escape_markup(change["b"].get<std::string>()) + "</td></tr>";
+    html += "</table></div>";
+  }
+  if (json.contains("results"))
+    for (const auto& [name, difference] : json["results"].items()) {
+      html += "<h3>" + escape_markup(name) + "</h3><p>" + escape_markup(line_of(difference)) + "</p>";
+      for (const auto& [output, shown] : entry.shown)
+        if (output == name) html += shown;
+    }
+  return html + "</section>\n";
+}
+
+// Prints, writes the page, and says by the exit code whether all was run.
+int finish(const CompareArguments& arguments, const std::vector<Entry>& entries, std::size_t equal, const char* what,
+           const std::vector<std::string>& failures) {
+  const std::string b = arguments.b.empty() ? arguments.a : arguments.b;
+  const std::string same = std::to_string(equal) + " " + what + (equal == 1 ? " is" : "s are") + " the same in both";
+  if (arguments.json) {
+    Json nodes = Json::array();
+    for (const Entry& entry : entries) nodes.push_back(entry.json);
+    const Json all = {{"a", arguments.a},
+                      {"b", b},
+                      {std::string("equal_") + what + "s", equal},
+                      {std::string(what) + "s", nodes},
+                      {"failures", failures}};
+    std::printf("%s\n", all.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  } else {
+    for (const Entry& entry : entries) print_entry(entry.json);
+    std::printf("%s\n", same.c_str());
+  }
+  for (const std::string& failure : failures) std::fprintf(stderr, "failed: %s\n", failure.c_str());
+  if (!arguments.out.empty()) {
+    std::string body = "<h1>A: " + escape_markup(arguments.a) + "<br>B: " + escape_markup(b) + "</h1>\n";
+    for (const auto* sets : {&arguments.sets, &arguments.sets_a, &arguments.sets_b})
+      for (const std::string& set : *sets)
+        body += "<p class=\"dim\">" +
+                std::string(sets == &arguments.sets     ? "both"
+                            : sets == &arguments.sets_a ? "A"
+                                                        : "B") +
+                ": " + escape_markup(set) + "</p>";
+    for (const std::string& failure : failures) body += "<p class=\"bad\">" + escape_markup(failure) + "</p>";
+    body += "<p>" + same + "</p>\n";
+    for (const Entry& entry : entries) body += html_of(entry);
+    write_whole(arguments.out, html_page("Compare", body));
+    if (!arguments.quiet) std::fprintf(stderr, "%s\n", arguments.out.c_str());
+  }
+  return failures.empty() ? done : task_failed;
+}
+
+// Files below a folder by their relative path; a file by its own name, the same for both.
+std::map<std::string, fs::path> files_of(const fs::path& path) {
+  std::map<std::string, fs::path> files;
+  if (!fs::is_directory(path)) return {{"", path}};
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file()) files.emplace(entry.path().lexically_relative(path).string(), entry.path());
+  return files;
+}
+
+int compare_outputs(const Common& common, const CompareArguments& arguments) {
+  if (!arguments.sets.empty() || !arguments.sets_a.empty() || !arguments.sets_b.empty())
+    throw std::invalid_argument("command line: --set goes with graphs; " + arguments.a + " is a file or a folder");
+  if (fs::is_directory(arguments.a) != fs::is_directory(arguments.b))
+    throw std::invalid_argument("command line: " + arguments.a + " and " + arguments.b +
+                                ": expected two folders or two files");
+  const auto plugins = open_plugins(common);
+  const auto store = open_store(common);
+  Differences differences(*plugins, *store, plugin_folders(common), arguments.all);
+  const auto a = files_of(arguments.a), b = files_of(arguments.b);
+  std::vector<Entry> entries;
+  std::size_t equal = 0;
+  for (const auto& [name, path] : a) {
+    const std::string title = name.empty() ? path.filename().string() : name;
+    const auto other = b.find(name);
+    if (other == b.end()) {
+      entries.push_back({{{"node", title}, {"only_in", "A"}}, {}});
+      continue;
+    }
+    if (interrupt_requested()) return interrupted;
+    const Found found = differences.files(path.string(), other->second.string(), path.extension().string());
+    if (!found.json) {
+      ++equal;
+      continue;
+    }
+    entries.push_back({{{"node", title}, {"results", {{"content", *found.json}}}}, {{"content", found.html}}});
+  }
+  for (const auto& [name, path] : b)
+    if (!a.contains(name)) entries.push_back({{{"node", name}, {"only_in", "B"}}, {}});
+  return finish(arguments, entries, equal, "file", {});
+}
+
+// Whether a file is a graph: JSON that says so.
+bool is_graph(const std::string& path) {
+  if (fs::is_directory(path) || !path.ends_with(".json")) return false;
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return text.find("\"facegraph\"") != std::string::npos || text.find("\"extends\"") != std::string::npos;
+}
+
 }  // namespace
 
 int compare(const Common& common, const CompareArguments& arguments) {
   catch_interrupts();
+  if (!arguments.b.empty() && fs::exists(arguments.a) && fs::exists(arguments.b) && !is_graph(arguments.a) &&
+      !is_graph(arguments.b))
+    return compare_outputs(common, arguments);
   const auto plugins = open_plugins(common);
   const auto store = open_store(common);
   Side sides[2];
@@ -239,7 +255,8 @@ int compare(const Common& common, const CompareArguments& arguments) {
     sides[s].stored = engine::inspect_graph(sides[s].graph, *plugins, *store);
   }
 
-  Json nodes = Json::array();
+  Differences differences(*plugins, *store, plugin_folders(common), arguments.all);
+  std::vector<Entry> entries;
   std::size_t equal = 0;
   const engine::Graph &a = sides[0].graph, &b = sides[1].graph;
   for (std::size_t n = 0; n < a.nodes.size(); ++n) {
@@ -247,12 +264,13 @@ int compare(const Common& common, const CompareArguments& arguments) {
     if (!x.needed) continue;
     const int m = b.find_node(x.id);
     if (m < 0 || !b.nodes[static_cast<std::size_t>(m)].needed) {
-      nodes.push_back({{"node", x.id}, {"only_in", "A"}, {"kind", x.info->name}});
+      entries.push_back({{{"node", x.id}, {"only_in", "A"}, {"kind", x.info->name}}, {}});
       continue;
     }
     const engine::GraphNode& y = b.nodes[static_cast<std::size_t>(m)];
     const Json changes = changes_of(a, x, b, y);
     Json results = Json::object();
+    std::vector<std::pair<std::string, std::string>> shown;
     for (std::size_t o = 0; o < x.info->outputs.size(); ++o) {
       const std::string& name = x.info->outputs[o].name;
       const int other =
@@ -263,10 +281,11 @@ int compare(const Common& common, const CompareArguments& arguments) {
         results[name] = {{"a", x.output_type[o]}, {"b", y.output_type[p]}, {"values", 1}};
         continue;
       }
-      const Json difference =
-          difference_of(x.output_type[o], sides[0].stored[n].outputs[o],
-                        sides[1].stored[static_cast<std::size_t>(m)].outputs[p], *plugins, *store, arguments.all);
-      if (!difference.is_null()) results[name] = difference;
+      Found found = differences.outputs(x.output_type[o], sides[0].stored[n].outputs[o],
+                                        sides[1].stored[static_cast<std::size_t>(m)].outputs[p]);
+      if (!found.json) continue;
+      results[name] = *found.json;
+      shown.emplace_back(name, std::move(found.html));
     }
     if (changes.empty() && results.empty()) {
       ++equal;
@@ -275,39 +294,13 @@ int compare(const Common& common, const CompareArguments& arguments) {
     Json entry = {{"node", x.id}};
     if (!changes.empty()) entry["changes"] = changes;
     if (!results.empty()) entry["results"] = results;
-    nodes.push_back(std::move(entry));
+    entries.push_back({std::move(entry), std::move(shown)});
   }
   for (const engine::GraphNode& y : b.nodes)
     if (const int n = a.find_node(y.id); y.needed && (n < 0 || !a.nodes[static_cast<std::size_t>(n)].needed))
-      nodes.push_back({{"node", y.id}, {"only_in", "B"}, {"kind", y.info->name}});
+      entries.push_back({{{"node", y.id}, {"only_in", "B"}, {"kind", y.info->name}}, {}});
 
-  if (arguments.json) {
-    const Json all = {{"a", arguments.a},
-                      {"b", arguments.b.empty() ? arguments.a : arguments.b},
-                      {"equal_nodes", equal},
-                      {"nodes", nodes},
-                      {"failures", failures}};
-    std::printf("%s\n", all.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-  } else {
-    for (const Json& node : nodes) {
-      const std::string id = node["node"];
-      if (node.contains("only_in")) {
-        std::printf("%s: only in %s (%s)\n", id.c_str(), node["only_in"].get<std::string>().c_str(),
-                    node["kind"].get<std::string>().c_str());
-        continue;
-      }
-      std::printf("%s\n", id.c_str());
-      for (const Json& change : node.value("changes", Json::array()))
-        std::printf("  %s: %s -> %s\n", change["what"].get<std::string>().c_str(),
-                    shortened(change["a"].get<std::string>()).c_str(),
-                    shortened(change["b"].get<std::string>()).c_str());
-      if (node.contains("results"))
-        for (const auto& [name, difference] : node["results"].items()) print_difference(name, difference);
-    }
-    std::printf("%zu node%s the same in both\n", equal, equal == 1 ? " is" : "s are");
-  }
-  for (const std::string& failure : failures) std::fprintf(stderr, "failed: %s\n", failure.c_str());
-  return failures.empty() ? done : task_failed;
+  return finish(arguments, entries, equal, "node", failures);
 }
 
 }  // namespace cli

@@ -97,7 +97,8 @@ std::string zsh_options(const CommandTree& command, const CommandTree& root) {
 std::string zsh_function(const CommandTree& command, const CommandTree& root, const std::string& name) {
   std::string text = name + "() {\n";
   if (command.commands.empty()) {
-    text += "  _arguments -s" + zsh_options(command, root) + " '*:file:_files'\n}\n";
+    text += "  _arguments -s" + zsh_options(command, root) +
+            (command.name == "describe" ? " '*:node:_facegraph_nodes'" : " '*:file:_files'") + "\n}\n";
     return text;
   }
   text += "  local -a commands=(";
@@ -119,7 +120,11 @@ std::string completion_script(const CommandTree& root, const std::string& shell)
   if (shell == "bash") return bash_script(root);
   if (shell == "zsh")
     return "#compdef facegraph\n# zsh completion for facegraph: put it as _facegraph into a folder of $fpath\n" +
-           zsh_function(root, root, "_facegraph") + "compdef _facegraph facegraph\n";
+           zsh_function(root, root, "_facegraph") +
+           "_facegraph_nodes() {\n  compadd -- ${(f)\"$(facegraph nodes 2>/dev/null | cut -d' ' -f1)\"}\n}\n"
+           // Loaded from $fpath at its first use, or sourced.
+           "if [[ $funcstack[1] == _facegraph ]]; then\n  _facegraph \"$@\"\nelse\n  compdef _facegraph "
+           "facegraph\nfi\n";
   throw std::invalid_argument("command line: completion " + shell + ": expected bash or zsh");
 }
 

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "cli/commands.h"
 #include "cli/experiments.h"
+#include "engine/run/run.h"
 
 namespace cli {
 namespace {
@@ -22,6 +24,14 @@ class Findings {
   void bad(const std::string& text, const std::string& remedy) {
     ++bad_;
     std::printf("problem  %s\n         %s\n", text.c_str(), remedy.c_str());
+  }
+  // The lines of a text, as they are.
+  void say(const std::string& text) {
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      std::printf("         %s\n", text.substr(at, end - at).c_str());
+      at = end + 1;
+    }
   }
   int end() const {
     std::printf("%s\n", bad_ == 0 ? "nothing is wrong"
@@ -94,11 +104,80 @@ void check_store(const Common& common, Findings& findings) {
     findings.good(show_size(space.available) + " are free there");
 }
 
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+// Which kinds of file plugins can look at, and the graph for one: checks/SUFFIX.json, for a folder checks/folder.json.
+std::string check_for(const Common& common, const fs::path& file, std::string& known) {
+  const std::string kind = fs::is_directory(file) ? "folder" : lower(file.extension().string());
+  std::set<std::string> kinds;
+  std::string graph;
+  for (const std::string& folder : plugin_folders(common)) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(fs::path(folder) / "checks", error)) {
+      const std::string stem = entry.path().stem().string(), name = stem == "folder" ? "a folder" : "." + stem;
+      if (entry.path().extension() != ".json" || !kinds.insert(name).second) continue;
+      if (stem == kind || "." + stem == kind) graph = entry.path().string();
+    }
+  }
+  for (const std::string& name : kinds) known += (known.empty() ? "" : ", ") + name;
+  return graph;
+}
+
+// Runs the graph that a plugin has for such a file. Its node "check" says what was found (text) and whether all is well
+// (sound); its outputs are put into the folder, but not over what is there.
+void check_file(const Common& common, const DoctorArguments& arguments, const engine::Plugins& plugins,
+                Findings& findings) {
+  std::string known;
+  if (!fs::exists(arguments.file))
+    throw std::invalid_argument("command line: there is no file or folder " + arguments.file);
+  const std::string path = check_for(common, arguments.file, known);
+  if (path.empty())
+    throw std::invalid_argument("command line: doctor " + arguments.file + ": expected " +
+                                (known.empty() ? "nothing" : known));
+  std::vector<engine::Setting> settings = settings_of(arguments.sets);
+  settings.push_back({"file", arguments.file});
+  engine::GraphReading reading = read_graph(path, settings, plugins);
+  for (const engine::Problem& problem : reading.problems) findings.bad(problem.line(), "see --help");
+  if (!reading.problems.empty()) return;
+  const auto store = open_store(common);
+  auto loaded = open_plugins(common);
+  engine::RunOptions options;
+  std::vector<std::string> there, made;
+  for (const engine::GraphOutput& output : reading.graph.outputs)
+    (fs::exists(fs::path(arguments.out) / output.name) ? there : made)
+        .push_back((fs::path(arguments.out) / output.name).lexically_normal().string());
+  if (there.empty()) options.out_folder = arguments.out;
+  const engine::RunResult ran = engine::run_graph(reading.graph, *loaded, *store, options);
+  if (!ran.failures.empty()) return findings.bad(ran.failures[0], "give another file");
+  const auto value = [&](const char* output) {
+    return engine::get_value(reading.graph, *loaded, *store, {.node = "check", .output = output, .element = {}}, {})
+        .value;
+  };
+  const bool sound = value("sound").as<bool>();
+  if (sound)
+    findings.good(arguments.file);
+  else
+    findings.bad(arguments.file, "what was found:");
+  findings.say(value("text").as<std::string>());
+  for (const std::string& name : there)
+    findings.say(name + " is there already and was left alone: name another folder with --out");
+  if (there.empty())
+    for (const std::string& name : made) findings.say("wrote " + name);
+}
+
 }  // namespace
 
-int doctor(const Common& common) {
+int doctor(const Common& common, const DoctorArguments& arguments) {
   Findings findings;
   const engine::Plugins plugins(plugin_folders(common));
+  if (!arguments.file.empty()) {
+    check_file(common, arguments, plugins, findings);
+    return findings.end();
+  }
   check_plugins(common, plugins, findings);
   check_graphs(plugins, findings);
   check_store(common, findings);

@@ -39,7 +39,8 @@ struct ReportArguments {
 int report(const Common& common, const ReportArguments& arguments);
 
 struct CompareArguments {
-  std::string a, b;                 // graph files; b may be empty: a again
+  std::string a, b;                 // graph files (b may be empty: a again), or two folders or files that were made
+  std::string out;                  // a page with pictures; empty = none
   std::vector<std::string> sets;    // for both
   std::vector<std::string> sets_a;  // for one
   std::vector<std::string> sets_b;
@@ -58,9 +59,14 @@ struct NewArguments {
 };
 int make_new(const Common& common, const NewArguments& arguments);
 
-// What a run would stumble over: plugins, files that installed graphs expect, the store and its disk. Exit code 1 where
-// something is wrong.
-int doctor(const Common& common);
+struct DoctorArguments {
+  std::string file;               // or a folder; empty: look at the installation
+  std::vector<std::string> sets;  // parameters of the graph that looks at it
+  std::string out = ".";          // folder for what it writes
+};
+// What a run would stumble over: plugins, files that installed graphs expect, the store and its disk; or a file that a
+// plugin has a check for. Exit code 1 where something is wrong.
+int doctor(const Common& common, const DoctorArguments& arguments);
 
 // The commands and options of the command line, taken from it where it is declared.
 struct CommandTree {

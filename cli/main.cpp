@@ -173,9 +173,10 @@ int main(int count, char** words) {
 
   cli::CompareArguments compare;
   CLI::App* compare_command =
-      app.add_subcommand("compare", "Say where two graphs, or one with two settings, and their results differ");
-  compare_command->add_option("A", compare.a, "A graph file (JSON)")->required();
-  compare_command->add_option("B", compare.b, "Another (default: A again)");
+      app.add_subcommand("compare", "Say where two graphs, one with two settings, or two folders of results differ");
+  compare_command->add_option("A", compare.a, "A graph file (JSON), or a folder or file that was made")->required();
+  compare_command->add_option("B", compare.b, "Another (default: graph A again)");
+  compare_command->add_option("--out", compare.out, "Make a page with pictures too")->type_name("FILE");
   compare_command->add_option("--set", compare.sets, "A parameter of both")->type_name("NAME=VALUE")->allow_extra_args(false);
   compare_command->add_option("--set-a", compare.sets_a, "A parameter of A")->type_name("NAME=VALUE")->allow_extra_args(false);
   compare_command->add_option("--set-b", compare.sets_b, "A parameter of B")->type_name("NAME=VALUE")->allow_extra_args(false);
@@ -193,6 +194,12 @@ int main(int count, char** words) {
   new_command->add_flag("--list", make_new.list, "Say what there is");
 
   CLI::App* doctor_command = app.add_subcommand("doctor", "Look for what a run would stumble over");
+  cli::DoctorArguments doctor;
+  doctor_command->add_option("file", doctor.file, "A file or folder of your own to look at, such as head.glb");
+  doctor_command->add_option("--set", doctor.sets, "A parameter of what looks at it")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  doctor_command->add_option("--out", doctor.out, "Folder for what it writes (default: this one)")->type_name("FOLDER");
 
   std::string shell;
   CLI::App* completion_command = app.add_subcommand("completion", "Print a script that completes commands in a shell");
@@ -236,7 +243,7 @@ int main(int count, char** words) {
     if (*report_command) return cli::report(common, report);
     if (*compare_command) return cli::compare(common, compare);
     if (*new_command) return cli::make_new(common, make_new);
-    if (*doctor_command) return cli::doctor(common);
+    if (*doctor_command) return cli::doctor(common, doctor);
     if (*completion_command) {
       std::printf("%s", cli::completion_script(tree_of(app), shell).c_str());
       return cli::done;

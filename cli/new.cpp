@@ -135,6 +135,10 @@ int make_new(const Common& common, const NewArguments& arguments) {
         for (std::size_t at = 0; was != is && (at = text.find(was, at)) != std::string::npos; at += is.size())
           text.replace(at, was.size(), is);
       }
+    // Comments say how to run the graphs from the project's folder; here they are run from theirs.
+    const std::string place = "graphs/" + meant[0] + "/";
+    if (path.extension() == ".json" && path.parent_path() == from)
+      for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos;) text.erase(at, place.size());
     write_whole((to / inner).string(), text);
   }
   // Names, ranges and texts while typing, in VS Code.
@@ -152,8 +156,7 @@ int make_new(const Common& common, const NewArguments& arguments) {
       if (text.find("\"nodes\"") == std::string::npos) continue;
       std::printf("  %-24s %s\n", inner.string().c_str(), purpose_of(text).c_str());
     }
-  std::printf("How to run each is said at its top; facegraph validate %s tells what it lacks.\n",
-              shell_word((to / "GRAPH.json").string()).c_str());
+  std::printf("How to run each from there is said at its top; facegraph validate GRAPH.json tells what it lacks.\n");
   return done;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/curves.h"
 #include "engine/describe/media.h"
 #include "engine/describe/picture.h"
 #include "engine/describe/view.h"
@@ -21,6 +22,27 @@ using engine::escape_markup;
 constexpr std::size_t page_bytes = 24'000'000, most_file_bytes = 4'000'000, most_text = 4000, most_json_value = 400'000;
 constexpr std::size_t shown_values = 6, measured_values = 32, curve_points = 2000, shortest_curve = 64;
 
+constexpr const char* style = R"(
+:root{color-scheme:light;--line:#d5dce4;--dim:#5a6b7d}
+*{box-sizing:border-box}
+body{margin:0;font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1d2733;background:#f5f7f9}
+main{max-width:72rem;margin:0 auto;padding:1rem}
+h1{font-size:1.5rem;margin:.5rem 0}h2{font-size:1.15rem;margin:1.5rem 0 .5rem}
+h3{font-size:1rem;margin:.9rem 0 .3rem;font-weight:600}
+section{background:#fff;border:1px solid var(--line);border-radius:6px;padding:.8rem 1rem;margin:.8rem 0}
+section:target{border-color:#5a86c4;box-shadow:0 0 0 2px #cfe0f6}
+.wide{overflow-x:auto;max-width:100%}
+.dim{color:var(--dim);margin:.2rem 0}.bad{color:#a8281f}.warn{color:#8a5a00}
+table{border-collapse:collapse;font-size:.9rem}th,td{border-bottom:1px solid var(--line);padding:.2rem .6rem;text-align:left;vertical-align:top}
+td{font-variant-numeric:tabular-nums;overflow-wrap:break-word}
+pre{background:#f3f5f7;border-radius:4px;padding:.5rem;margin:.3rem 0;overflow:auto;max-height:18rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.85rem}
+.previews{display:flex;flex-wrap:wrap;gap:.6rem;align-items:flex-start}.previews>*{max-width:100%}.previews>pre,.previews>.wide{flex:1 1 16rem}
+figure{margin:0}figure>:first-child{max-width:100%;max-height:22rem;border:1px solid var(--line);background:#fff}
+figcaption{font-size:.8rem;color:var(--dim)}
+svg.curve{width:40rem;max-width:100%;background:#f3f5f7}svg.curve path{fill:none;stroke:#2f6bb3;stroke-width:1.5;vector-effect:non-scaling-stroke}
+.changed{font-weight:600}
+)";
+
 // As many as are shown, from the first to the last.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
@@ -29,12 +51,6 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   else
     for (std::size_t i = 0; i < most; ++i) chosen.push_back(i * (count - 1) / (most - 1));
   return chosen;
-}
-
-std::string short_number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 std::string cut(const std::string& text) {
@@ -78,38 +94,6 @@ double number_of(const Json& json) {
   return json.is_number() ? json.get<double>() : json.is_boolean() ? json.get<bool>() : NAN;
 }
 
-// A curve, and what it goes from and to. `count`: how many there are of which these were chosen.
-std::string drawn(const std::vector<double>& values, std::size_t count) {
-  std::size_t finite = 0;
-  double low = INFINITY, high = -INFINITY, sum = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    ++finite;
-    sum += value;
-    low = std::min(low, value), high = std::max(high, value);
-  }
-  if (finite == 0) return "<p class=\"dim\">No finite number.</p>";
-  constexpr double width = 640, height = 110;
-  std::string path;
-  bool pen = false;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) {
-      pen = false;
-      continue;
-    }
-    const double x =
-        values.size() > 1 ? width * static_cast<double>(i) / static_cast<double>(values.size() - 1) : width / 2;
-    const double y = high > low ? height * (high - values[i]) / (high - low) : height / 2;
-    char text[64];
-    std::snprintf(text, sizeof text, "%s%.1f %.1f", pen ? "L" : "M", x, y);
-    path += text;
-    pen = true;
-  }
-  return "<div><svg class=\"curve\" viewBox=\"-4 -4 648 118\" role=\"img\" aria-label=\"curve\"><path d=\"" + path +
-         "\"/></svg><p class=\"dim\">" + std::to_string(count) + " values, " + short_number(low) + " to " +
-         short_number(high) + ", mean " + short_number(sum / static_cast<double>(finite)) + "</p></div>";
-}
-
 // A long list of numbers is a curve: the samples of a sound, the times of frames.
 std::string curve_in(const Json& json) {
   const Json* list = json.is_array() ? &json : nullptr;
@@ -123,10 +107,35 @@ std::string curve_in(const Json& json) {
     return {};
   std::vector<double> values;
   for (const std::size_t i : spread(list->size(), curve_points)) values.push_back(number_of((*list)[i]));
-  return (name.empty() ? "" : "<p class=\"dim\">" + escape_markup(name) + "</p>") + drawn(values, list->size());
+  return (name.empty() ? "" : "<p class=\"dim\">" + escape_markup(name) + "</p>") + curve_html(values, list->size());
+}
+
+// The one list of numbers that a value is, or has beside single values; null otherwise.
+const Json* number_list(const Json& json) {
+  const Json* list = nullptr;
+  const auto look = [&](const Json& value) {
+    if (!value.is_array()) return true;
+    const bool numbers = std::all_of(value.begin(), value.end(), [](const Json& item) { return item.is_number(); });
+    if (!numbers || list) return false;
+    list = &value;
+    return true;
+  };
+  if (json.is_array()) return look(json) ? list : nullptr;
+  if (!json.is_object()) return nullptr;
+  for (const auto& [key, value] : json.items())
+    if (!look(value)) return nullptr;
+  return list;
 }
 
 }  // namespace
+
+std::string html_page(const std::string& title, const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>" +
+         escape_markup(title) + "</title><style>" + style + "</style><body><main>\n" + body + "</main></body></html>\n";
+}
+
+std::string table_html(const std::string& json) { return table_of(Json::parse(json, nullptr, false)); }
 
 std::string base64(const std::string& bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -158,11 +167,7 @@ std::string Previews::file(const engine::Value& value, const std::string& captio
   if (media.element == "pre") return "<pre>" + cut(bytes.substr(0, most_text + 8)) + "</pre>" + caption_of(caption);
   if (!media.element.empty() && bytes.size() <= most_file_bytes) {
     if (media.element == "img") return picture(bytes, suffix, caption);
-    if (bytes_ + bytes.size() * 4 / 3 <= page_bytes) {
-      bytes_ += bytes.size() * 4 / 3;
-      return "<figure><" + media.element + " controls preload=\"metadata\" src=\"data:" + media.mime + ";base64," +
-             base64(bytes) + "\"></" + media.element + ">" + caption_of(caption) + "</figure>";
-    }
+    return embedded(bytes, media, caption);
   }
   return "<p>A file " + escape_markup(suffix) + " of " + show_size(bytes.size()) + "</p>";
 }
@@ -175,7 +180,60 @@ std::string Previews::curve(const std::string& type, const engine::StoredOutput&
     const Json json = Json::parse(value->type().show(value->data().get()), nullptr, false);
     values.push_back(number_of(json));
   }
-  return drawn(values, output.leaves.size());
+  return curve_html(values, output.leaves.size());
+}
+
+std::string Previews::lists(const std::string& type, const engine::StoredOutput& output) {
+  constexpr std::size_t fewest = 8, most_points = 400, most_bytes = 20'000;
+  if (output.leaves.size() < fewest || type == "file" || type == "text") return {};
+  std::vector<std::vector<double>> all;
+  for (const std::size_t i : spread(output.leaves.size(), most_points)) {
+    const auto value = engine::stored_value(type, output.leaves[i].identity, plugins_, store_);
+    if (!value || value->size_bytes() > most_bytes || !value->type().views.empty()) return {};
+    const Json json = Json::parse(value->type().show(value->data().get()), nullptr, false);
+    const Json* list = number_list(json);
+    if (!list) return {};
+    auto& numbers = all.emplace_back();
+    for (const Json& number : *list) numbers.push_back(number.get<double>());
+  }
+  return curves_html(all, output.leaves.size());
+}
+
+std::string Previews::value(const engine::Value& value, const std::string& caption) {
+  try {
+    if (value.type().name == "file") return file(value, caption);
+    for (const auto& view : value.type().views) {
+      const engine::Media media = engine::media_of("." + view.suffix);
+      if (media.element == "img")
+        return picture(engine::view_value(value, "." + view.suffix, plugins_), "." + view.suffix, caption);
+      if (media.element == "audio" && value.size_bytes() <= most_file_bytes)
+        return embedded(engine::view_value(value, "." + view.suffix, plugins_), media, caption) +
+               (value.size_bytes() > most_json_value
+                    ? ""
+                    : curve_in(Json::parse(value.type().show(value.data().get()), nullptr, false)));
+    }
+    const std::string name = caption.empty() ? "" : "<p class=\"dim\">" + escape_markup(caption) + "</p>";
+    if (value.size_bytes() > most_json_value)
+      return name + "<p class=\"dim\">" + show_size(value.size_bytes()) + ", too much to show here</p>";
+    const std::string text = value.type().show(value.data().get());
+    const Json json = Json::parse(text, nullptr, false);
+    std::string table = json.is_discarded() ? "" : table_of(json);
+    if (table.empty() && !json.is_discarded()) table = curve_in(json);
+    const std::string plain = json.is_string()   ? json.get<std::string>()
+                              : json.is_number() ? short_number(json.get<double>())
+                                                 : text;
+    return name + (table.empty() ? "<pre>" + cut(plain) + "</pre>" : table);
+  } catch (const std::exception& error) {
+    return "<p class=\"dim\">It cannot be shown: " + escape_markup(error.what()) + "</p>";
+  }
+}
+
+std::string Previews::embedded(const std::string& bytes, const engine::Media& media, const std::string& caption) {
+  if (bytes_ + bytes.size() * 4 / 3 > page_bytes)
+    return "<p class=\"dim\">" + media.element + " is left out: the page is full.</p>";
+  bytes_ += bytes.size() * 4 / 3;
+  return "<figure><" + media.element + " controls preload=\"metadata\" src=\"data:" + media.mime + ";base64," +
+         base64(bytes) + "\"></" + media.element + ">" + caption_of(caption) + "</figure>";
 }
 
 std::string Previews::show(const std::string& type, const engine::StoredOutput& output) {
@@ -183,7 +241,8 @@ std::string Previews::show(const std::string& type, const engine::StoredOutput& 
   if (output.cheap) return "<p class=\"dim\">Its values are made when they are read, and not kept.</p>";
   const bool numbers = type == "number" || type == "integer" || type == "flag";
   if (numbers && output.leaves.size() > 1) return curve(type, output);
-  std::string html;
+  std::string html = lists(type, output);
+  if (!html.empty()) return html;
   const auto chosen = spread(output.leaves.size(), shown_values);
   for (const std::size_t i : chosen) {
     const engine::StoredLeaf& leaf = output.leaves[i];
@@ -192,34 +251,12 @@ std::string Previews::show(const std::string& type, const engine::StoredOutput& 
       html += "<p class=\"dim\">It is not in the store.</p>";
       continue;
     }
-    try {
-      if (type == "file") {
-        html += file(*value, leaf.element);
-        continue;
-      }
-      const auto& views = value->type().views;
-      const auto png = std::find_if(views.begin(), views.end(), [](const auto& view) { return view.suffix == "png"; });
-      if (png != views.end()) {
-        html += picture(engine::view_value(*value, ".png", plugins_), ".png", leaf.element);
-        continue;
-      }
-      if (value->size_bytes() > most_json_value) {
-        html += "<p class=\"dim\">" + show_size(value->size_bytes()) + ", too much to show here</p>";
-        break;
-      }
-      const std::string text = value->type().show(value->data().get());
-      const Json json = Json::parse(text, nullptr, false);
-      std::string table = json.is_discarded() ? "" : table_of(json);
-      if (table.empty() && !json.is_discarded()) table = curve_in(json);
-      const std::string plain = json.is_string()   ? json.get<std::string>()
-                                : json.is_number() ? short_number(json.get<double>())
-                                                   : text;
-      html += (leaf.element.empty() ? "" : "<p class=\"dim\">" + escape_markup(leaf.element) + "</p>") +
-              (table.empty() ? "<pre>" + cut(plain) + "</pre>" : table);
-      if (chosen.size() > 3 && i == chosen[2] && png == views.end()) break;
-    } catch (const std::exception& error) {
-      html += "<p class=\"dim\">It cannot be shown: " + escape_markup(error.what()) + "</p>";
-    }
+    html += this->value(*value, leaf.element);
+    const auto& views = value->type().views;
+    const bool pictured =
+        std::any_of(views.begin(), views.end(), [](const auto& view) { return view.suffix == "png"; });
+    if (type != "file" && !pictured && value->size_bytes() > most_json_value) break;
+    if (type != "file" && !pictured && chosen.size() > 3 && i == chosen[2]) break;
   }
   return html;
 }

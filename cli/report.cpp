@@ -19,27 +19,6 @@ namespace {
 
 using engine::escape_markup;
 
-constexpr const char* style = R"(
-:root{color-scheme:light;--line:#d5dce4;--dim:#5a6b7d}
-*{box-sizing:border-box}
-body{margin:0;font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1d2733;background:#f5f7f9}
-main{max-width:72rem;margin:0 auto;padding:1rem}
-h1{font-size:1.5rem;margin:.5rem 0}h2{font-size:1.15rem;margin:1.5rem 0 .5rem}
-h3{font-size:1rem;margin:.9rem 0 .3rem;font-weight:600}
-section{background:#fff;border:1px solid var(--line);border-radius:6px;padding:.8rem 1rem;margin:.8rem 0}
-section:target{border-color:#5a86c4;box-shadow:0 0 0 2px #cfe0f6}
-.wide{overflow-x:auto;max-width:100%}
-.dim{color:var(--dim);margin:.2rem 0}.bad{color:#a8281f}.warn{color:#8a5a00}
-table{border-collapse:collapse;font-size:.9rem}th,td{border-bottom:1px solid var(--line);padding:.2rem .6rem;text-align:left;vertical-align:top}
-td{font-variant-numeric:tabular-nums;overflow-wrap:anywhere}
-pre{background:#f3f5f7;border-radius:4px;padding:.5rem;margin:.3rem 0;overflow:auto;max-height:18rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.85rem}
-.previews{display:flex;flex-wrap:wrap;gap:.6rem;align-items:flex-start}.previews>*{max-width:100%}.previews>pre,.previews>.wide{flex:1 1 16rem}
-figure{margin:0}figure>:first-child{max-width:100%;max-height:22rem;border:1px solid var(--line);background:#fff}
-figcaption{font-size:.8rem;color:var(--dim)}
-svg.curve{width:40rem;max-width:100%;background:#f3f5f7}svg.curve path{fill:none;stroke:#2f6bb3;stroke-width:1.5;vector-effect:non-scaling-stroke}
-.changed{font-weight:600}
-)";
-
 // What a run did with a node.
 struct Fate {
   std::size_t run = 0, reused = 0, failed = 0, blocked = 0;
@@ -224,15 +203,12 @@ int report(const Common& common, const ReportArguments& arguments) {
   }
   const std::string name = std::filesystem::path(arguments.graph.path).filename().string();
   const std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, "
-      "initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>" +
-      escape_markup(name) + "</title><style>" + style + "</style><body><main>\n<h1>" + escape_markup(name) + "</h1>\n" +
-      (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts + "</p>\n" +
-      list_of(other, "bad") + list_of(graph.notes, "warn") + "<pre>" + escape_markup(command_of(arguments.graph)) +
-      "</pre>\n<section><div class=\"wide\">" + engine::graph_svg(graph, notes) +
-      "</div></section>\n<section><h2>Outputs</h2><table>" + outputs + "</table></section>\n" + sections +
-      "</main></body></html>\n";
+      html_page(name, "<h1>" + escape_markup(name) + "</h1>\n" +
+                          (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts +
+                          "</p>\n" + list_of(other, "bad") + list_of(graph.notes, "warn") + "<pre>" +
+                          escape_markup(command_of(arguments.graph)) + "</pre>\n<section><div class=\"wide\">" +
+                          engine::graph_svg(graph, notes) + "</div></section>\n<section><h2>Outputs</h2><table>" +
+                          outputs + "</table></section>\n" + sections);
   write_whole(arguments.out, page);
   const bool failed = result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty();
   if (!arguments.quiet) std::fprintf(stderr, "%s: %s\n", arguments.out.c_str(), counts);

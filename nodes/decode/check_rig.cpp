@@ -173,16 +173,18 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     ++(guess.empty() ? blanks : guesses);
   }
   if (!strange.empty())
-    result.text +=
-        message(strange.size(), " names are none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
-                " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
-                "names=names.json\n");
+    result.text += message(strange.size(), strange.size() == 1 ? " name is" : " names are",
+                           " none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
+                           " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
+                           "names=names.json\n");
   try {
     result.text += about(read_rig(file, names));
     result.sound = true;
     result.text += "it can be used as it is\n";
   } catch (const Error& error) {
-    result.text += std::string("as it is it cannot be used: ") + error.what() + "\n";
+    // What was found is listed above.
+    const std::string why = error.what();
+    result.text += "as it is it cannot be used: " + why.substr(0, why.find(". Found ")) + "\n";
   }
   return finish();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sweeps, comparisons, pictures and reports, as a person asks for them.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/command.h"
@@ -110,7 +111,7 @@ TEST_F(Experiments, ComparesAGraphWithItselfUnderOtherSettings) {
   EXPECT_EQ(ended.output,
             "score\n  amount: 0 -> 2.5\n  sum: 56 -> 58.5; by at most 2.5\n"
             "shown\n  text: \"56\" -> \"58.5\"\n"
-            "file\n  file: differs\n"
+            "file\n  file: differs; 1 of 1 lines, the first is line 1\n"
             "8 nodes are the same in both\n");
   const test::Ended same = command({"compare", "graph.json", "graph.json", "--quiet"});
   EXPECT_EQ(same.output, "11 nodes are the same in both\n");
@@ -136,6 +137,60 @@ TEST_F(Experiments, ComparesTwoGraphsElementByElement) {
   EXPECT_EQ(entry("extra_page")["only_in"], "B");
   EXPECT_EQ(entry("file")["only_in"], "A");
   EXPECT_TRUE(entry("sizes").is_null());
+}
+
+TEST_F(Experiments, ComparesTwoFoldersOfResults) {
+  for (const char* side : {"a", "b"}) {
+    const std::string folder = side, seed = folder == "a" ? "1" : "2";
+    write(folder + ".json", R"({"facegraph": 1, "nodes": {
+      "made": {"node": "phantom.make_backdrop", "params": {"width_px": 64, "height_px": 48, "seed": )" +
+                                seed + R"(}},
+      "file": {"node": "export.png", "inputs": {"image": "made"}}}, "outputs": {"made.png": "file"}})");
+    EXPECT_EQ(command({"run", folder + ".json", "--out", folder, "--quiet"}).code, 0);
+    write(folder + "/same.txt", "the same");
+    write(folder + "/deep/lines.txt", "one\ntwo " + folder + "\nthree\n");
+    write(folder + "/numbers.json", folder == "a" ? R"({"x": [1, 2]})" : R"({"x": [1, 2.5]})");
+    write(folder + "/numbers.csv", folder == "a" ? "name,x\np,1\nq,2\n" : "name,x\np,1\nq,4\n");
+    write(folder + "/blob.bin", folder == "a" ? "12" : "345");
+    write(folder + "/only_" + folder + ".txt", "x");
+  }
+  const test::Ended ended = command({"compare", "a", "b", "--out", "page.html", "--quiet"});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  const auto lines = test::lines_of(ended.output);
+  ASSERT_EQ(lines.size(), 13u) << ended.output;
+  EXPECT_EQ(lines[0] + lines[1], "blob.bin  content: differs; 2 B and 3 B");
+  EXPECT_EQ(lines[2] + lines[3], "deep/lines.txt  content: differs; 1 of 3 lines, the first is line 2");
+  EXPECT_EQ(lines[4] + lines[5].substr(0, 31), "made.png  content: differs; rms_levels ");
+  EXPECT_EQ(lines[6] + lines[7], "numbers.csv  content: differs; largest 2, only_in_a 0, only_in_b 0, x 2");
+  EXPECT_EQ(lines[8] + lines[9], "numbers.json  content: differs; by at most 0.5 at /x/1, rms 0.353553");
+  EXPECT_EQ(lines[10] + lines[11], "only_a.txt: only in Aonly_b.txt: only in B");
+  EXPECT_EQ(lines[12], "1 file is the same in both");
+  const std::string page = read("page.html");
+  EXPECT_NE(page.find("src=\"data:image/png;base64,"), std::string::npos);
+  EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  const test::Ended one = command({"compare", "a/numbers.json", "b/numbers.json", "--quiet"});
+  EXPECT_EQ(one.output,
+            "numbers.json\n  content: differs; by at most 0.5 at /x/1, rms 0.353553\n"
+            "0 files are the same in both\n");
+  EXPECT_EQ(command({"compare", "a", "b/numbers.json"}).output,
+            "error: command line: a and b/numbers.json: expected two folders or two files\n");
+  EXPECT_EQ(command({"compare", "a", "b", "--set", "x=1"}).code, 2);
+}
+
+TEST_F(Experiments, ComparesValuesAsTheirTypesSay) {
+  write("backdrop.json", R"({"facegraph": 1, "nodes": {
+    "made": {"node": "phantom.make_backdrop", "params": {"width_px": 64, "height_px": 48}},
+    "file": {"node": "export.png", "inputs": {"image": "made"}}}, "outputs": {"made.png": "file"}})");
+  const test::Ended ended =
+      command({"compare", "backdrop.json", "--set-b", "made.seed=9", "--json", "--out", "page.html", "--quiet"});
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  const auto json = nlohmann::json::parse(ended.output);
+  const auto& image = json["nodes"][0]["results"]["image"];
+  EXPECT_GT(image["measures"]["rms_levels"], 1);
+  EXPECT_GT(image["measures"]["differing_percent"], 50);
+  // The file is compared by what it shows, not by its bytes.
+  EXPECT_EQ(json["nodes"][1]["results"]["file"]["measures"], image["measures"]);
+  EXPECT_NE(read("page.html").find("picture"), std::string::npos);
 }
 
 TEST_F(Experiments, DrawsAGraph) {
@@ -206,6 +261,29 @@ TEST_F(Experiments, TheDoctorFindsNothingWrongHereAndSaysWhatIs) {
   EXPECT_NE(broken.output.find("problem  plugin plugins/broken.so: "), std::string::npos) << broken.output;
 }
 
+TEST_F(Experiments, TheDoctorLooksAtAFileOfOnesOwn) {
+  write("head.json", R"({"facegraph": 1, "nodes": {
+    "head": {"node": "phantom.make_head"},
+    "weights": {"node": "decode.animation", "inputs": {"file": "${table}"}},
+    "glb": {"node": "export.gltf", "inputs": {"rig": "head", "frames": "weights.weights", "timeline": "weights.timeline"}}},
+    "params": {"table": {"type": "path", "default": "still.csv"}}, "outputs": {"head.glb": "glb"}})");
+  write("still.csv", "Timecode,JawOpen\n00:00:00:00,0\n00:00:00:01,0\n");
+  ASSERT_EQ(command({"run", "head.json", "--out", "out", "--quiet"}).code, 0);
+  const test::Ended ended = command({"doctor", "out/head.glb", "--out", "checked"});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  EXPECT_NE(ended.output.find("ok       out/head.glb\n         head.glb: 52 shapes; 52 of ARKit's 52 are there\n"),
+            std::string::npos)
+      << ended.output;
+  EXPECT_EQ(read("checked/names.json"), "{}\n");
+  const test::Ended again = command({"doctor", "out/head.glb", "--out", "checked"});
+  EXPECT_NE(again.output.find("checked/names.json is there already and was left alone"), std::string::npos);
+  write("bad.glb", "no");
+  EXPECT_EQ(command({"doctor", "bad.glb", "--out", "other"}).code, 1);
+  EXPECT_EQ(command({"doctor", "missing.glb"}).code, 2);
+  const test::Ended unknown = command({"doctor", "still.csv"});
+  EXPECT_EQ(unknown.output, "error: command line: doctor still.csv: expected .glb, .gltf, a folder\n");
+}
+
 TEST_F(Experiments, BashCompletesCommandsOptionsAndFiles) {
   const test::Ended script = command({"completion", "bash"});
   ASSERT_EQ(script.code, 0);
@@ -227,31 +305,118 @@ complete_words facegraph run gra
   EXPECT_EQ(command({"completion", "fish"}).code, 2);
 }
 
-// The commands of docs/experiments.md, as they stand there.
-TEST_F(Experiments, TheGuidesCommandsRun) {
-  std::filesystem::create_directory_symlink(std::string(FACEGRAPH_SOURCE_DIR) + "/graphs", folder() / "graphs");
-  const std::string guide = test::read_file(std::string(FACEGRAPH_SOURCE_DIR) + "/docs/experiments.md");
-  std::string script = "set -e\nmkdir -p ~/.zfunc\nfacegraph() { " FACEGRAPH_COMMAND " \"$@\"; }\n";
-  int commands = 0;
-  bool inside = false, plain = false;
-  for (const std::string& line : test::lines_of(guide)) {
-    if (line.starts_with("```")) {
-      plain = !inside && line == "```";
-      inside = !inside;
-    } else if (inside && plain &&
-               (line.starts_with("facegraph ") || line.starts_with("echo ") || line.starts_with("source ") ||
-                line.starts_with("  --"))) {
+// In an interactive shell of its own, as keys are pressed there.
+TEST_F(Experiments, ZshCompletesCommandsOptionsNodesAndFiles) {
+  if (!std::filesystem::exists("/usr/bin/zsh")) GTEST_SKIP() << "needs zsh";
+  const test::Ended script = command({"completion", "zsh"});
+  ASSERT_EQ(script.code, 0);
+  write("fpath/_facegraph", script.output);
+  write("bin/facegraph", "#!/bin/sh\nexec " FACEGRAPH_COMMAND " \"$@\"\n");
+  std::filesystem::permissions(folder() / "bin/facegraph", std::filesystem::perms::owner_all);
+  // Waits for what is to appear, and no longer.
+  write("complete.zsh", "cd " + folder().string() + R"(
+zmodload zsh/zpty
+wait_for() {
+  local all= out= i
+  for i in {1..400}; do
+    while zpty -r -t z out; do all+=$out; done
+    [[ $all == *$1* ]] && return 0
+    sleep 0.05
+  done
+  print -r -- "no $1 in: $all"
+}
+zpty z "env TERM=dumb HOME=$PWD PATH=$PWD/bin:$PATH zsh -f -i"
+zpty -w z 'PS1= ; fpath=($PWD/fpath $fpath); autoload -U compinit; compinit -u -D; echo RE''ADY'
+wait_for READY
+try() {
+  zpty -n -w z "$1"$'	'
+  wait_for "$2" && print -r -- "$1 -> $2"
+  zpty -n -w z $'\C-u'
+}
+try 'facegraph swe' 'facegraph sweep '
+try 'facegraph sweep --vary x=1 --met' '--metric '
+try 'facegraph cache unp' 'cache unpin '
+try 'facegraph describe toy.runn' 'toy.running_sum '
+try 'facegraph run gra' 'graph.json '
+zpty -d z
+)");
+  const test::Ended ended = wait(start({path("complete.zsh")}, "/usr/bin/zsh"));
+  EXPECT_EQ(test::lines_of(ended.output).size(), 5u) << ended.output;
+  EXPECT_EQ(ended.output.find("no "), std::string::npos) << ended.output;
+}
+
+// The commands that a guide gives, as they stand there: lines of its plain blocks that begin with one of these words.
+class Guides : public test::CommandTest {
+ protected:
+  // `more`: what is run behind a line that is this one.
+  test::Ended follow(const std::string& name, std::size_t fewest, const std::map<std::string, std::string>& more = {}) {
+    std::filesystem::create_directory_symlink(std::string(FACEGRAPH_SOURCE_DIR) + "/graphs", folder() / "graphs");
+    const std::string guide = test::read_file(std::string(FACEGRAPH_SOURCE_DIR) + "/docs/" + name);
+    std::string script = "export HOME=" + path("home") + " FACEGRAPH_STORE=" + path("store") +
+                         "\nset -e\nmkdir -p ~/.zfunc\nfacegraph() { " FACEGRAPH_COMMAND " \"$@\"; }\n";
+    std::size_t commands = 0;
+    bool inside = false, plain = false;
+    for (const std::string& line : test::lines_of(guide)) {
+      if (line.starts_with("```")) {
+        plain = !inside && line == "```";
+        inside = !inside;
+        continue;
+      }
+      bool command = false;
+      for (const char* start : {"facegraph ", "echo ", "source ", "cp ", "cd ", "  --"})
+        command |= line.starts_with(start);
+      if (!inside || !plain || !command) continue;
       script += line + "\n";
+      if (const auto behind = more.find(line); behind != more.end()) script += behind->second + "\n";
       ++commands;
     }
+    EXPECT_GE(commands, fewest);
+    write("guide.sh", script);
+    return wait(start({path("guide.sh")}, "/bin/bash"));
   }
-  ASSERT_GE(commands, 10);
-  write("guide.sh", "export HOME=" + path("home") + " FACEGRAPH_STORE=" + path("store") + "\n" + script);
-  const test::Ended ended = wait(start({path("guide.sh")}, "/bin/bash"));
+};
+
+TEST_F(Guides, ExperimentsRun) {
+  const test::Ended ended = follow("experiments.md", 14);
   EXPECT_EQ(ended.code, 0) << ended.output;
-  for (const char* made : {"sweep/sweep.csv", "talk.html", "talk.svg", "talk.dot", "mine/talk.json"})
+  for (const char* made :
+       {"sweep/sweep.csv", "compare.html", "talk.html", "talk.svg", "talk.dot", "mine/talk.json", "checked/names.json"})
     EXPECT_TRUE(exists(made)) << made;
   EXPECT_NE(ended.output.find("speak.worst_closure_mm"), std::string::npos);
+  EXPECT_NE(ended.output.find("talk.glb\n  content: differs; head; mean_mm 0"), std::string::npos) << ended.output;
+}
+
+TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
+  write("say.json", R"({"facegraph": 1, "params": {"text": {"type": "path", "default": "said.txt"}}, "nodes": {
+    "script": {"node": "decode.text", "inputs": {"file": "${text}"}},
+    "say": {"node": "speech.say", "inputs": {"text": "script"}},
+    "wav": {"node": "export.wav", "inputs": {"audio": "say.audio"}}}, "outputs": {"line.wav": "wav"}})");
+  write("said.txt", "My name is Bob, and I move my mouth.");
+  ASSERT_EQ(command({"run", "say.json", "--out", ".", "--quiet"}).code, 0);
+  const test::Ended ended = follow("first-hour.md", 12, {{"cd mine", "cp ../line.wav ."}});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  for (const char* made : {"mine/first/talk.mp4", "mine/out/talk.glb", "mine/frames/talk.usda",
+                           "mine/frames/talk/0.obj", "mine/sweep/sweep.csv", "mine/compare.html", "mine/report.html"})
+    EXPECT_TRUE(exists(made)) << made;
+  EXPECT_NE(ended.output.find("head.glb: 52 shapes; 52 of ARKit's 52 are there"), std::string::npos) << ended.output;
+}
+
+// Graphs that compare or check files are valid, as those of graphs/ are.
+TEST_F(Experiments, GraphsThatPluginsShipForFilesAreValid) {
+  write("file.txt", "x");
+  std::size_t graphs = 0;
+  for (const char* kind : {"differences", "checks"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(FACEGRAPH_PLUGIN_DIR) + "/" + kind)) {
+      test::Words words = {"validate", entry.path().string()};
+      if (std::string(kind) == "differences")
+        words = words + test::Words{"--set", "a=file.txt", "--set", "b=file.txt"};
+      else
+        words = words + test::Words{"--set", "file=file.txt"};
+      const test::Ended ended = command(words);
+      EXPECT_EQ(ended.code, 0) << entry.path() << ended.output;
+      ++graphs;
+    }
+  EXPECT_GE(graphs, 15u);
 }
 
 }  // namespace
