@@ -103,6 +103,22 @@ TEST(MeshError, OfPosedWeightsIsThatOfTheWeights) {
   EXPECT_THROW_TEXT(mesh_error(rig, odd, truth, nullptr), "points of frame 0 has 1 vertices, expected 35");
 }
 
+TEST(MeshError, GoesOnAfterALostFrameAndCountsIt) {
+  const Rig rig = small_face();
+  const engine::Seq<MeshPoints> own({pose_rig(rig, jaw(0.1)), MeshPoints{}, pose_rig(rig, jaw(0.8))});
+  const engine::Seq<MeshPoints> truth({pose_rig(rig, jaw(0)), pose_rig(rig, jaw(1)), pose_rig(rig, jaw(0.5))});
+  const auto result = mesh_error(rig, own, truth, nullptr);
+  EXPECT_NEAR(cell(result.table, "lve_mm2"), 5, 1e-5);  // (1 + 9) / 2
+  EXPECT_NEAR(cell(result.table, "readable_percent"), 50, 1e-9);
+  EXPECT_EQ(cell(result.table, "lost_frames"), 1);
+  ASSERT_EQ(result.frames.rows.size(), 3u);
+  EXPECT_EQ(result.frames.rows[1].values[2], 0);
+  EXPECT_TRUE(std::isnan(result.frames.rows[1].values[0]));
+  EXPECT_NEAR(result.frames.rows[2].values[0], 3, 1e-5);
+  const engine::Seq<MeshPoints> none({MeshPoints{}, MeshPoints{}, MeshPoints{}});
+  EXPECT_TRUE(std::isnan(cell(mesh_error(rig, none, truth, nullptr).table, "lve_mm2")));
+}
+
 TEST(Regions, OfTheEmbeddedHeadTileItsSkin) {
   const Rig head = phantom::make_head();
   std::vector<int> times(head.neutral.points_mm.size(), 0);
