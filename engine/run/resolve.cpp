@@ -238,40 +238,6 @@ void Session::each_input_leaf(Task& task, const std::function<void(Tree*)>& visi
     for (Tree* output : task.prior->outputs) visit(output);
 }
 
-bool Session::wanted(const Tree* leaf) const {
-  return leaf->uses > 0 || leaf->pins > 0 || !leaf->requests.empty() ||
-         (leaf->container && leaf->container->sequence && leaf->container->sequence->gathers > 0);
-}
-
-// A value that nobody needs leaves the memory; if its task is cheap, that task needs its own inputs no more.
-void Session::drop_unused(Tree* leaf) {
-  if (leaf->source || wanted(leaf)) return;
-  drop_value(leaf);
-  Task* producer = leaf->producer;
-  if (!producer || !leaf->cheap || producer->released || producer->state != Task::State::known) return;
-  for (Tree* output : producer->outputs)
-    if (output->state == Tree::State::sequence || wanted(output)) return;
-  release_inputs(*producer);
-}
-
-// The task reads its inputs no more.
-void Session::release_inputs(Task& task) {
-  if (task.released) return;
-  task.released = true;
-  each_input_leaf(task, [&](Tree* leaf) {
-    if (leaf->uses > 0) --leaf->uses;
-    drop_unused(leaf);
-  });
-  for (const auto& port : task.inputs)
-    for (const Binding& binding : port) {
-      if (!binding.tree || binding.windowed || binding.tree->state != Tree::State::sequence) continue;
-      Tree::Sequence& held = *binding.tree->sequence;
-      if (held.gathers > 0 && --held.gathers == 0)
-        for (Tree* child : held.children)
-          if (follow(child)->state == Tree::State::leaf) drop_unused(follow(child));
-    }
-}
-
 // --- for explain
 // ----------------------------------------------------------------------------------------------------------
 

@@ -164,6 +164,7 @@ struct Span {
 Span span_of(const Binding& binding, const InputInfo& port);
 
 bool in_range(const std::string& id, const std::string& first, const std::string& last);
+std::vector<std::string> split_path(const std::string& path);  // "take03/17" at its slashes
 
 // One run (or plan) of one graph: the trees, the tasks, and the workers.
 class Session {
@@ -206,7 +207,7 @@ class Session {
   friend class TaskProgress;
   friend class TreeAccess;
 
-  // --- expand.cpp: trees
+  // --- trees.cpp
   Tree* new_tree();
   Tree* new_sequence();
   Tree* source_tree(const Source& source);
@@ -219,6 +220,7 @@ class Session {
   bool watch_settling(Tree* tree, Watcher* watcher);  // false where it is settled already
   void notify_growth(Tree* tree);
   const Digest& identity_of(Tree* tree);
+  // --- expand.cpp
   void instantiate(int node, Bindings inputs, const std::string& path, const std::vector<Tree*>& outputs, Task** made,
                    Task* prior, bool has_prior);
   Task* make_task(int node, Bindings inputs, const std::string& path, const std::vector<Tree*>& outputs, Task* prior);
@@ -236,15 +238,19 @@ class Session {
   void tell_old_warnings(Task& task);
   void block(Task& task);
   void would_run(Task& task);
-  void release_inputs(Task& task);
   void each_input_leaf(
       Task& task, const std::function<void(Tree*)>& visit);  // direct leaves: values, window elements, prior outputs
 
-  // --- execute.cpp: workers, values, memory
-  void launch(Task& task);
-  void produce(Task& task);
+  // --- memory.cpp
   bool available(Tree* leaf);
   void read_ahead(const Tree& sequence, std::size_t index);
+  void hold_value(Tree* leaf, Value value);
+  void drop_value(Tree* leaf);
+  void make_room(bool cheap_too);
+  bool wanted(const Tree* leaf) const;  // somebody reads it, or will
+  void drop_unused(Tree* leaf);
+  void release_inputs(Task& task);
+  // --- workers.cpp
   void enqueue(Task& task);
   void wake_worker();
   void tell_blocked();
@@ -254,32 +260,30 @@ class Session {
   bool idle() const { return ready_.empty() && held_.empty() && running_ == 0; }
   void postpone(Task& task);
   void readmit();
+  void throttle(std::unique_lock<std::mutex>& guard);
+  void wait_blocked(std::unique_lock<std::mutex>& guard, const std::function<bool()>& until);
+  // --- execute.cpp
+  void launch(Task& task);
+  void produce(Task& task);
   void run_task(Task& task, std::unique_lock<std::mutex>& guard);
+  void compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin);
+  void finish_task(Task& task, const std::vector<OutputRecord>& records);
+  void fail_task(Task& task, const std::string& text);
+  void emit(RunEvent::Kind kind, const Task& task, std::string text = {}, double seconds = 0);
+  double now() const;
   // --- batch.cpp: cheap tasks of microseconds
   bool is_light(int node) const;
   bool suits_batch(const Task& task) const;
   void note_pace(int node, double seconds_per_task);
   void run_batch(std::unique_lock<std::mutex>& guard);
   static std::uint32_t current_worker();
-  // --- execute.cpp
-  void compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin);
+  // --- call_node.cpp
   std::vector<OutputRecord> call_node(Task& task);
-  void finish_task(Task& task, const std::vector<OutputRecord>& records);
-  void fail_task(Task& task, const std::string& text);
-  bool wanted(const Tree* leaf) const;  // somebody reads it, or will
-  void drop_unused(Tree* leaf);
-  void hold_value(Tree* leaf, Value value);
-  void drop_value(Tree* leaf);
-  void make_room(bool cheap_too);
   void accept_element(Task& task, std::size_t output, std::string id, Value value, OutputRecord& record);
   void compare_length(const Task& task, std::size_t output, const OutputRecord& record);
-  void throttle(std::unique_lock<std::mutex>& guard);
   bool wanted_from(const Task& task, std::size_t output, std::size_t from) const;
-  void wait_blocked(std::unique_lock<std::mutex>& guard, const std::function<bool()>& until);
   std::vector<std::string> source_paths(const Task& task);
   void check_sources(const std::vector<std::string>& paths) const;
-  void emit(RunEvent::Kind kind, const Task& task, std::string text = {}, double seconds = 0);
-  double now() const;
 
   const Graph& graph_;
   Plugins& plugins_;
