@@ -39,12 +39,8 @@ class Chain {
   // Opens the store, reads and runs the graph; closes the store.
   engine::RunResult run() {
     const auto store = engine::Store::open((folder_.path() / "store").string());
-    engine::GraphContext context;
-    context.find_node = [&](std::string_view name) { return plugins_.find(name); };
-    context.node_names = [&] { return plugins_.node_names(); };
-    context.absent_plugin = [](std::string_view) { return std::string(); };
-    const auto reading =
-        engine::read_graph((folder_.path() / "graph.json").string(), {}, folder_.path().string(), context);
+    const auto reading = engine::read_graph((folder_.path() / "graph.json").string(), {}, folder_.path().string(),
+                                            test::context_of(plugins_));
     engine::RunOptions options;
     options.out_folder = (folder_.path() / "out").string();
     return engine::run_graph(reading.graph, plugins_, *store, options);
@@ -65,8 +61,8 @@ void per_task(benchmark::State& state, std::size_t tasks) {
                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void store_small_tasks(benchmark::State& state) {
-  Chain chain(state.range(0));
+// Into a store that is new each time; says how many tasks ran.
+std::size_t run_afresh(benchmark::State& state, Chain& chain) {
   std::size_t tasks = 0;
   for (auto _ : state) {
     state.PauseTiming();
@@ -76,14 +72,20 @@ void store_small_tasks(benchmark::State& state) {
     tasks = result.tasks.run;
     if (!result.failures.empty()) state.SkipWithError(result.failures[0].c_str());
   }
-  per_task(state, tasks);
+  return tasks;
 }
-BENCHMARK(store_small_tasks)
-    ->ArgName("elements")
-    ->Arg(250)
-    ->Arg(25'000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+
+void measured(benchmark::internal::Benchmark* bench) { bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime(); }
+template <std::int64_t many>
+void few_and_many(benchmark::internal::Benchmark* bench) {
+  measured(bench->ArgName("elements")->Arg(250)->Arg(many));
+}
+
+void store_small_tasks(benchmark::State& state) {
+  Chain chain(state.range(0));
+  per_task(state, run_afresh(state, chain));
+}
+BENCHMARK(store_small_tasks)->Apply(few_and_many<25'000>);
 
 void rerun_with_nothing_to_do(benchmark::State& state) {
   Chain chain(state.range(0));
@@ -96,31 +98,15 @@ void rerun_with_nothing_to_do(benchmark::State& state) {
   }
   per_task(state, tasks);
 }
-BENCHMARK(rerun_with_nothing_to_do)
-    ->ArgName("elements")
-    ->Arg(250)
-    ->Arg(25'000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+BENCHMARK(rerun_with_nothing_to_do)->Apply(few_and_many<25'000>);
 
 // A cheap sequence of numbers -> cheap map -> one gather: 1 stored result, the rest stays in memory.
 void pass_in_memory(benchmark::State& state) {
   Chain chain(state.range(0), Chain::Kind::cheap);
-  for (auto _ : state) {
-    state.PauseTiming();
-    chain.forget();
-    state.ResumeTiming();
-    const engine::RunResult result = chain.run();
-    if (!result.failures.empty()) state.SkipWithError(result.failures[0].c_str());
-  }
+  run_afresh(state, chain);
   per_task(state, static_cast<std::size_t>(state.range(0)));  // cheap tasks are not counted as run
 }
-BENCHMARK(pass_in_memory)
-    ->ArgName("elements")
-    ->Arg(250)
-    ->Arg(75'000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
+BENCHMARK(pass_in_memory)->Apply(few_and_many<75'000>);
 
 // What a run costs before its first task.
 void run_an_all_but_empty_graph(benchmark::State& state) {
@@ -128,6 +114,6 @@ void run_an_all_but_empty_graph(benchmark::State& state) {
   chain.run();
   for (auto _ : state) benchmark::DoNotOptimize(chain.run());
 }
-BENCHMARK(run_an_all_but_empty_graph)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(run_an_all_but_empty_graph)->Apply(measured);
 
 }  // namespace

@@ -44,6 +44,15 @@ inline std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
+// For reading graphs of these plugins' nodes; keeps a reference to them.
+inline engine::GraphContext context_of(engine::Plugins& plugins) {
+  engine::GraphContext context;
+  context.find_node = [&](std::string_view name) { return plugins.find(name); };
+  context.node_names = [&] { return plugins.node_names(); };
+  context.absent_plugin = [](std::string_view) { return std::string(); };
+  return context;
+}
+
 class ToyRun : public ::testing::Test {
  protected:
   ToyRun() : plugins_({FACEGRAPH_PLUGIN_DIR}), store_(engine::Store::open((folder() / "store").string())) {}
@@ -68,11 +77,7 @@ class ToyRun : public ::testing::Test {
     return read((folder() / "graph.json").string(), settings);
   }
   engine::Graph read(const std::string& path, const std::vector<engine::Setting>& settings = {}) {
-    engine::GraphContext context;
-    context.find_node = [&](std::string_view name) { return plugins_.find(name); };
-    context.node_names = [&] { return plugins_.node_names(); };
-    context.absent_plugin = [](std::string_view) { return std::string(); };
-    engine::GraphReading reading = engine::read_graph(path, settings, folder().string(), context);
+    engine::GraphReading reading = engine::read_graph(path, settings, folder().string(), context_of(plugins_));
     for (const engine::Problem& problem : reading.problems) ADD_FAILURE() << problem.line();
     return reading.graph;
   }

@@ -42,11 +42,8 @@ class Mutation : public test::ToyRun {
     return result;
   }
   engine::Graph read_it(const std::string& path = "graph.json") {
-    engine::GraphContext context;
-    context.find_node = [&](std::string_view name) { return vary_->find(name); };
-    context.node_names = [&] { return vary_->node_names(); };
-    context.absent_plugin = [](std::string_view) { return std::string(); };
-    engine::GraphReading reading = engine::read_graph((folder() / path).string(), {}, folder().string(), context);
+    engine::GraphReading reading =
+        engine::read_graph((folder() / path).string(), {}, folder().string(), test::context_of(*vary_));
     for (const engine::Problem& problem : reading.problems) ADD_FAILURE() << problem.line();
     return reading.graph;
   }
