@@ -128,52 +128,84 @@ std::vector<std::string> node_files() {
   return files;
 }
 
-TEST(Declarations, InputsAreNamedLikeTheArgumentsInTheirOrder) {
-  for (const std::string& file : node_files()) {
-    const Declaration declaration = declaration_of(file);
-    std::vector<Argument> arguments;
-    std::string place;
-    if (!find_function(declaration, arguments, place)) {
-      ADD_FAILURE() << file << ":1: function " << declaration.function << " is declared in no header that is included";
+using Lines = std::vector<std::string>;
+
+std::string differs(const Name& name, const std::string& what, const std::string& expected) {
+  return name.place + ": " + what + " \"" + name.declared + "\", expected \"" + expected + "\"";
+}
+
+// Inputs, and writers among the outputs, that are called otherwise than the arguments at their place.
+Lines unlike_arguments(const std::string& file) {
+  const Declaration declaration = declaration_of(file);
+  std::vector<Argument> arguments;
+  std::string place;
+  if (!find_function(declaration, arguments, place))
+    return {file + ":1: function " + declaration.function + " is declared in no header that is included"};
+  std::vector<std::string> inputs, writers;
+  for (const Argument& argument : arguments) {
+    const auto is = [&](const std::string& type) { return argument.type.find(type) != std::string::npos; };
+    if (is("Progress&") || is("Prior<")) continue;
+    if (is("SeqWriter<")) {
+      writers.push_back(argument.name);
       continue;
     }
-    std::vector<std::string> inputs, writers;
-    for (const Argument& argument : arguments) {
-      const auto is = [&](const std::string& type) { return argument.type.find(type) != std::string::npos; };
-      if (is("Progress&") || is("Prior<")) continue;
-      if (is("SeqWriter<")) {
-        writers.push_back(argument.name);
-        continue;
-      }
-      const bool options =
-          !declaration.owner.empty() && std::regex_search(argument.type, std::regex("\\b" + declaration.owner + "\\b"));
-      if (!options) inputs.push_back(argument.name);
-    }
-    for (std::size_t i = 0; i < std::max(inputs.size(), declaration.inputs.size()); ++i) {
-      const std::string argument = i < inputs.size() ? inputs[i] : "(none)";
-      const std::string declared = i < declaration.inputs.size() ? declaration.inputs[i].declared : "(none)";
-      EXPECT_EQ(declared, argument) << (i < declaration.inputs.size() ? declaration.inputs[i].place : file + ":1")
-                                    << ": input " << i << " of " << declaration.node << "; its argument is at "
-                                    << place;
-    }
-    // Writers come last; a whole result, which has no name in C++, first.
-    const std::size_t wholes = declaration.whole_outputs.size();
-    for (std::size_t i = 0; i < writers.size() && writers.size() <= wholes; ++i) {
-      const Name& declared = declaration.whole_outputs[wholes - writers.size() + i];
-      EXPECT_EQ(declared.declared, writers[i])
-          << declared.place << ": output of " << declaration.node << "; its SeqWriter is at " << place;
-    }
+    const bool options =
+        !declaration.owner.empty() && std::regex_search(argument.type, std::regex("\\b" + declaration.owner + "\\b"));
+    if (!options) inputs.push_back(argument.name);
   }
+  Lines lines;
+  const std::string as_there = "input of " + declaration.node + ", whose argument is at " + place + ", is";
+  for (std::size_t i = 0; i < std::max(inputs.size(), declaration.inputs.size()); ++i) {
+    const Name none{"(none)", "", file + ":1"};
+    const Name& declared = i < declaration.inputs.size() ? declaration.inputs[i] : none;
+    const std::string argument = i < inputs.size() ? inputs[i] : "(none)";
+    if (declared.declared != argument) lines.push_back(differs(declared, as_there, argument));
+  }
+  // Writers come last; a whole result, which has no name in C++, first.
+  const std::size_t wholes = declaration.whole_outputs.size();
+  for (std::size_t i = 0; i < writers.size() && writers.size() <= wholes; ++i) {
+    const Name& declared = declaration.whole_outputs[wholes - writers.size() + i];
+    if (declared.declared != writers[i])
+      lines.push_back(
+          differs(declared, "output of " + declaration.node + ", whose SeqWriter is at " + place + ", is", writers[i]));
+  }
+  return lines;
+}
+
+// Parameters and outputs that are called otherwise than their members.
+Lines unlike_members(const std::string& file) {
+  const Declaration declaration = declaration_of(file);
+  Lines lines;
+  for (const Name& name : declaration.params)
+    if (name.declared != name.member)
+      lines.push_back(differs(name, "parameter of " + declaration.node + " is", name.member));
+  for (const Name& name : declaration.member_outputs)
+    if (name.declared != name.member)
+      lines.push_back(differs(name, "output of " + declaration.node + " is", name.member));
+  return lines;
+}
+
+TEST(Declarations, InputsAreNamedLikeTheArgumentsInTheirOrder) {
+  for (const std::string& file : node_files())
+    for (const std::string& line : unlike_arguments(file)) ADD_FAILURE() << line;
 }
 
 TEST(Declarations, ParametersAndOutputsAreNamedLikeTheirMembers) {
-  for (const std::string& file : node_files()) {
-    const Declaration declaration = declaration_of(file);
-    for (const Name& name : declaration.params)
-      EXPECT_EQ(name.declared, name.member) << name.place << ": parameter of " << declaration.node;
-    for (const Name& name : declaration.member_outputs)
-      EXPECT_EQ(name.declared, name.member) << name.place << ": output of " << declaration.node;
-  }
+  for (const std::string& file : node_files())
+    for (const std::string& line : unlike_members(file)) ADD_FAILURE() << line;
+}
+
+// The one sin of tests/plugins/sins that nothing but the source tells.
+TEST(Declarations, SwappedNamesAreFound) {
+  const std::string file = "tests/plugins/sins/swap_names.node.cpp";
+  std::string place;
+  std::vector<Argument> arguments;
+  ASSERT_TRUE(find_function(declaration_of(file), arguments, place));
+  const std::string input = "input of sins.swap_names, whose argument is at " + place + ", is ";
+  EXPECT_EQ(unlike_arguments(file), (Lines{file + ":8: " + input + "\"other\", expected \"number\"",
+                                           file + ":9: " + input + "\"number\", expected \"other\""}));
+  EXPECT_EQ(unlike_members(file), (Lines{file + ":10: parameter of sins.swap_names is \"low\", expected \"high\"",
+                                         file + ":11: parameter of sins.swap_names is \"high\", expected \"low\""}));
 }
 
 TEST(Declarations, FileAndFunctionHaveOneName) {

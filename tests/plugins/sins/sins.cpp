@@ -59,6 +59,10 @@ double name_without_unit(const double& number, const NameWithoutUnitOptions& opt
 
 double swap_units(const double& number, const SwapUnitsOptions& options) { return number * options.window_s; }
 
+double swap_names(const double& number, const double& other, const SwapNamesOptions& options) {
+  return number + 2 * other + 3 * options.low + 4 * options.high;
+}
+
 double default_out_of_range(const double& number, const DefaultOutOfRangeOptions& options) {
   return number * options.share;
 }

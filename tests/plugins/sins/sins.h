@@ -33,6 +33,12 @@ struct SwapUnitsOptions {
 };
 double swap_units(const double& number, const SwapUnitsOptions& options);
 
+struct SwapNamesOptions {
+  double low = 0;
+  double high = 1;
+};
+double swap_names(const double& number, const double& other, const SwapNamesOptions& options);
+
 struct DefaultOutOfRangeOptions {
   double share = 2;
 };
