@@ -10,6 +10,8 @@
 #include "nodes/base/check.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
+#include "nodes/model/outline_rows.h"
+#include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/robust_weights.h"
@@ -18,7 +20,6 @@ namespace face::model {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Prior spread of the rendering parameters (sigma_R of equation 8), about their start.
 constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, focal_sigma = 0.12;
@@ -30,13 +31,22 @@ constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over th
 constexpr int closing_steps = 8;
 constexpr double extreme_share = 0.45;
 constexpr int light_steps = 6;
+constexpr std::size_t least_outline = 10;  // rim vertices that see an edge
+constexpr double outline_sigma_px = 1;     // of an edge, in the picture's present size
 
 // One size of the picture: of the eye distance on it, how much the points still weigh, how much of the picture's weight
 // is used already (E_F first, E_I growing).
 struct Stage {
   double eyes_px, landmark_weight, image_share;
+  double points, steps;  // factors of the options
 };
-constexpr Stage stages[] = {{28, 1.0, 0.3}, {55, 0.5, 0.7}, {110, 0.2, 1.0}};
+#ifndef STAGES
+#define STAGES                                                          \
+  {                                                                     \
+    {28, 1.0, 0.3, 1, 1}, {55, 0.5, 0.7, 1, 1}, { 110, 0.2, 1.0, 1, 1 } \
+  }
+#endif
+constexpr Stage stages[] = STAGES;
 
 struct Picture {
   const Image* image = nullptr;
@@ -53,6 +63,7 @@ struct Joint {
   const MorphableModel* model = nullptr;
   FitImageOptions options;
   SkinBasis basis;
+  LandmarkBasis outline;
   std::vector<double> identity, albedo;
   std::vector<std::vector<double>> gaps;
   std::vector<Picture> pictures;
@@ -75,30 +86,23 @@ void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level
       pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), joint.pictures[index].state,
                  level, columns, static_cast<std::size_t>(joint.options.points), random);
   if (rows.residual.empty()) return;
-  double noise = 0;
-  const std::vector<float> weights = robust_weights(rows.residual, noise);
-  const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
-  RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);
-  Eigen::VectorXf r = Eigen::Map<const Eigen::VectorXf>(rows.residual.data(), n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const float w = weights[static_cast<std::size_t>(i / 3)];
-    j.row(i) *= w;
-    r[i] *= w;
-  }
+  const PixelNormal found = pixel_normal(rows);
   // The larger the differences, the more of them is what no coefficients explain; that is alike over whole regions, so
   // the picture counts as fewer independent points.
+  const double noise = found.noise;
   const double trust = (least_noise / noise) * (least_noise / noise);
-  const double weight = share * trust * joint.options.image_weight / static_cast<double>(n / 3) / (noise * noise);
-  const Eigen::MatrixXf a = j.transpose() * j;
-  const Eigen::VectorXf b = j.transpose() * r;
+  const double weight = share * trust * joint.options.image_weight / found.points / (noise * noise);
+  const auto width = static_cast<Eigen::Index>(rows.columns);
+  const Eigen::Map<const Eigen::MatrixXd> a(found.a.data(), width, width);
+  const Eigen::Map<const Vector> b(found.b.data(), width);
   const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
   const Eigen::Index first = shared + own * static_cast<Eigen::Index>(index);
-  normal.a.topLeftCorner(shared, shared) += weight * a.topLeftCorner(shared, shared).cast<double>();
-  normal.a.block(0, first, shared, own) += weight * a.topRightCorner(shared, own).cast<double>();
-  normal.a.block(first, 0, own, shared) += weight * a.bottomLeftCorner(own, shared).cast<double>();
-  normal.a.block(first, first, own, own) += weight * a.bottomRightCorner(own, own).cast<double>();
-  normal.b.head(shared) -= weight * b.head(shared).cast<double>();
-  normal.b.segment(first, own) -= weight * b.tail(own).cast<double>();
+  normal.a.topLeftCorner(shared, shared) += weight * a.topLeftCorner(shared, shared);
+  normal.a.block(0, first, shared, own) += weight * a.topRightCorner(shared, own);
+  normal.a.block(first, 0, own, shared) += weight * a.bottomLeftCorner(own, shared);
+  normal.a.block(first, first, own, own) += weight * a.bottomRightCorner(own, own);
+  normal.b.head(shared) += weight * b.head(shared);
+  normal.b.segment(first, own) += weight * b.tail(own);
 }
 
 std::vector<double> joined(const std::vector<double>& a, const std::vector<double>& b) {
@@ -125,6 +129,33 @@ void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& norma
       row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
     const double error = std::abs(rows.residual_px[i]) / sigma;
     const double w = weight * (error > 2.5 ? 2.5 / error : 1.0) / (sigma * sigma);
+    normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
+    normal.b -= row * (w * rows.residual_px[i]);
+  }
+}
+
+// Adds the outline of cheek and jaw: `outline_weight` independent points at most, edges that are far count little.
+void add_outline(const Joint& joint, std::size_t index, const PictureLevel& level, double share, Normal& normal) {
+  if (joint.options.outline_weight <= 0 || joint.outline.candidates.empty()) return;
+  const Picture& picture = joint.pictures[index];
+  const std::vector<Vec3f> points = posed(joint.outline, joined(joint.identity, picture.state.expression));
+  const LandmarkRows rows = outline_rows(joint.outline, points, picture.state.pose, level);
+  if (rows.residual_px.size() < least_outline) return;
+  const double sigma = outline_sigma_px / level.factor;
+  const double each =
+      share * std::min(1.0, joint.options.outline_weight / static_cast<double>(rows.residual_px.size()));
+  const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
+  const Eigen::Index first = shared + own * static_cast<Eigen::Index>(index);
+  Vector row = Vector::Zero(normal.b.size());
+  for (std::size_t i = 0; i < rows.residual_px.size(); ++i) {
+    const double* from = rows.jacobian.data() + i * rows.columns;
+    for (Eigen::Index k = 0; k < FacePose::size; ++k) row[first + k] = from[k];
+    for (std::size_t k = 0; k < joint.basis.identities; ++k)
+      row[static_cast<Eigen::Index>(k)] = from[FacePose::size + k];
+    for (std::size_t k = 0; k < joint.basis.expressions; ++k)
+      row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
+    const double off = rows.residual_px[i] / (2 * sigma);
+    const double w = each / ((1 + off * off) * (1 + off * off) * sigma * sigma);
     normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     normal.b -= row * (w * rows.residual_px[i]);
   }
@@ -221,6 +252,7 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
     if (!frozen) joint.pictures[m].state.seen = shadow_of(joint.basis, joint.identity, joint.pictures[m].state);
     add_pixels(joint, m, levels[m], stage.image_share, random, normal);
     add_landmarks(joint, m, stage.landmark_weight, normal);
+    if (!frozen) add_outline(joint, m, levels[m], stage.image_share, normal);
   }
   add_priors(joint, frozen, normal);
   apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
@@ -335,6 +367,7 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
   joint.basis =
       make_skin_basis(model, static_cast<std::size_t>(options.identities),
                       static_cast<std::size_t>(options.expressions), static_cast<std::size_t>(options.albedos));
+  if (options.outline_weight > 0) joint.outline = outline_basis(model, joint.basis.identities, joint.basis.expressions);
   joint.gaps = lip_gap_rows(model);
   joint.identity.assign(joint.basis.identities, 0.0);
   joint.albedo.assign(joint.basis.albedos, 0.0);
@@ -361,7 +394,9 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
       levels.push_back(make_level(*picture.image, std::min(1.0, stage.eyes_px / picture.eyes_px)));
     if (&stage == stages)
       for (int i = 0; i < light_steps; ++i) step(joint, levels, stage, true, random);
-    for (std::int64_t i = 0; i < options.steps; ++i) step(joint, levels, stage, false, random);
+    joint.options.points = std::llround(stage.points * static_cast<double>(options.points));
+    const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
+    for (std::int64_t i = 0; i < steps; ++i) step(joint, levels, stage, false, random);
   }
   close_mouths(levels, stages[std::size(stages) - 1], random, joint);
   for (std::size_t m = 0; m < fits.size(); ++m) {

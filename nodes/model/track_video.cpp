@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "nodes/base/check.h"
+#include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/robust_weights.h"
@@ -16,7 +17,6 @@ namespace face::model {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double sizes_px[] = {30, 60, 110};  // distance of the outer corners of the eyes
 constexpr double usual_eye_distance_mm = 90;
@@ -57,18 +57,11 @@ void step(const Tracked& tracked, const PictureLevel& level, double eyes_px, Ran
   const PixelRows rows = pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, columns,
                                     static_cast<std::size_t>(tracked.options->points), random);
   if (rows.residual.size() < 30) return;
-  double noise = 0;
-  const std::vector<float> weights = robust_weights(rows.residual, noise);
-  const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
-  RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);
-  Eigen::VectorXf r = Eigen::Map<const Eigen::VectorXf>(rows.residual.data(), n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    j.row(i) *= weights[static_cast<std::size_t>(i / 3)];
-    r[i] *= weights[static_cast<std::size_t>(i / 3)];
-  }
-  const double weight = tracked.options->image_weight / static_cast<double>(n / 3) / (noise * noise);
-  Eigen::MatrixXd a = weight * (j.transpose() * j).cast<double>();
-  Vector b = -weight * (j.transpose() * r).cast<double>();
+  const PixelNormal pixels = pixel_normal(rows);
+  const double weight = tracked.options->image_weight / pixels.points / (pixels.noise * pixels.noise);
+  const auto width = static_cast<Eigen::Index>(rows.columns);
+  Eigen::MatrixXd a = weight * Eigen::Map<const Eigen::MatrixXd>(pixels.a.data(), width, width);
+  Vector b = weight * Eigen::Map<const Vector>(pixels.b.data(), width);
   const auto add = [&](Eigen::Index column, double value, double sigma) {
     a(column, column) += 1 / (sigma * sigma);
     b[column] -= value / (sigma * sigma);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "nodes/model/pixel_rows.h"
+
+namespace face::model {
+
+// The robust normal equations of pixel residuals: J' W J and -J' W r, W Geman and McClure's weights at the residuals'
+// own noise. Without the rows' joint weight.
+struct PixelNormal {
+  std::vector<double> a;  // columns x columns
+  std::vector<double> b;  // columns
+  double noise = 0;       // median length of a residual, at least least_noise
+  double points = 0;
+};
+PixelNormal pixel_normal(const PixelRows& rows);
+
+}  // namespace face::model

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/scan_template.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "nodes/base/check.h"
+#include "nodes/model/cylinder_grid.h"
+#include "nodes/model/skin_modes.h"
+#include "nodes/render/triangulate.h"
+
+namespace face::model {
+namespace {
+
+constexpr double closed_px = 3;       // inner lips nearer than this are a closed mouth
+constexpr int lip_reach_px = 4;       // how far the edge of the lips may be from the line through the points
+constexpr int lip_seed_px = 9;        // how far colours about it are looked at
+constexpr double nothing_seen = 0.1;  // of the skin's brightness
+constexpr double darkest_cap = 0.6;   // of the skin's brightness
+constexpr double radius_levels = 30;  // a step of 1 mm counts as much as this many grey levels
+
+std::vector<cv::Point2f> points68(const Landmarks& landmarks) {
+  std::vector<cv::Point2f> points(68);
+  std::vector<bool> found(68, false);
+  for (const Landmark& landmark : landmarks.points) {
+    std::size_t number = 68;
+    const char* end = landmark.name.data() + landmark.name.size();
+    if (std::from_chars(landmark.name.data(), end, number).ptr != end || number >= 68) continue;
+    points[number] = {static_cast<float>(landmark.x_px), static_cast<float>(landmark.y_px)};
+    found[number] = true;
+  }
+  const auto missing = std::find(found.begin(), found.end(), false);
+  check(missing == found.end(), "landmarks lack point ", missing - found.begin(), ", expected 0 to 67 (Multi-PIE)");
+  return points;
+}
+
+// Radii with small holes (nostrils, below the chin) filled from their rims inwards.
+CylinderScan filled(const CylinderScan& scan) {
+  constexpr int deepest_px = 12;
+  CylinderScan out = scan;
+  const int width = scan.picture.width, height = scan.picture.height;
+  for (int pass = 0; pass < deepest_px; ++pass) {
+    const std::vector<float> before = out.radius_mm;
+    const auto at = [&](int x, int y) {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    };
+    for (int y = 1; y + 1 < height; ++y)
+      for (int x = 1; x + 1 < width; ++x) {
+        if (before[at(x, y)] > 0) continue;
+        float sum = 0;
+        int count = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx)
+            if (const float radius = before[at(x + dx, y + dy)]; radius > 0) sum += radius, ++count;
+        if (count >= 3) out.radius_mm[at(x, y)] = sum / static_cast<float>(count);
+      }
+  }
+  return out;
+}
+
+// The inside of the mouth, 255: the polygon of the inner lips, its edge moved to where what is seen changes. A pixel
+// near the edge goes to the side that has the most alike pixel near by.
+cv::Mat mouth_mask(const CylinderScan& scan, const std::vector<cv::Point2f>& points) {
+  cv::Mat mask = cv::Mat::zeros(scan.picture.height, scan.picture.width, CV_8U);
+  double gap = 0;
+  for (std::size_t i = 61; i <= 63; ++i) gap = std::max<double>(gap, points[128 - i].y - points[i].y);
+  if (gap < closed_px) return mask;
+  std::vector<cv::Point> polygon;
+  for (std::size_t i = 60; i < 68; ++i) polygon.emplace_back(cvRound(points[i].x), cvRound(points[i].y));
+  cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{polygon}, cv::Scalar(255));
+  cv::Mat inside, outside;
+  cv::distanceTransform(mask, inside, cv::DIST_L2, 5);
+  cv::distanceTransform(255 - mask, outside, cv::DIST_L2, 5);
+  const auto feature = [&](int x, int y) {
+    std::array<double, 4> f{};
+    const auto i = static_cast<std::size_t>(y * scan.picture.width + x);
+    for (std::size_t c = 0; c < 3; ++c) f[c] = scan.picture.pixels[3 * i + c];
+    f[3] = radius_levels * static_cast<double>(scan.radius_mm[i]);
+    return f;
+  };
+  cv::Mat result = mask.clone();
+  for (int y = lip_seed_px; y + lip_seed_px < mask.rows; ++y)
+    for (int x = lip_seed_px; x + lip_seed_px < mask.cols; ++x) {
+      const float in = inside.at<float>(y, x), out = outside.at<float>(y, x);
+      if (in > lip_reach_px || out > lip_reach_px) continue;
+      const std::array<double, 4> here = feature(x, y);
+      double nearest[2] = {1e30, 1e30};
+      for (int dy = -lip_seed_px; dy <= lip_seed_px; ++dy)
+        for (int dx = -lip_seed_px; dx <= lip_seed_px; ++dx) {
+          const bool within = inside.at<float>(y + dy, x + dx) > 2;
+          if (!within && outside.at<float>(y + dy, x + dx) <= 3) continue;
+          const std::array<double, 4> there = feature(x + dx, y + dy);
+          double d = 0.5 * (dx * dx + dy * dy);
+          for (std::size_t c = 0; c < 4; ++c) d += (here[c] - there[c]) * (here[c] - there[c]);
+          nearest[within ? 1 : 0] = std::min(nearest[within ? 1 : 0], d);
+        }
+      result.at<std::uint8_t>(y, x) = nearest[1] < nearest[0] ? 255 : 0;
+    }
+  const cv::Mat cross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
+  cv::morphologyEx(result, result, cv::MORPH_CLOSE, cross);
+  cv::morphologyEx(result, result, cv::MORPH_OPEN, cross);
+  return result;
+}
+
+// The usual colour about a place: no marker, no mole.
+std::array<double, 3> median_colour(const CylinderScan& scan, double x, double y) {
+  constexpr int radius_px = 7;
+  std::array<double, 3> colour{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> seen;
+    for (int dy = -radius_px; dy <= radius_px; ++dy)
+      for (int dx = -radius_px; dx <= radius_px; ++dx) seen.push_back(cylinder_colour(scan, x + dx, y + dy)[c]);
+    std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
+    colour[c] = seen[seen.size() / 2];
+  }
+  return colour;
+}
+
+// First row of every column that is skin and not cap.
+std::vector<int> cap_rows(const CylinderScan& scan, const std::vector<cv::Point2f>& points, int top, double tolerance) {
+  std::vector<int> rows(static_cast<std::size_t>(scan.picture.width), top);
+  if (tolerance <= 0) return rows;
+  float brows = 1e9f;
+  for (std::size_t i = 17; i < 27; ++i) brows = std::min(brows, points[i].y);
+  const double forehead_y = brows - 0.25 * (points[27].y - brows) - 6;
+  const std::array<double, 3> skin = median_colour(scan, points[27].x, forehead_y);
+  const auto is_cap = [&](int x, int y) {
+    const std::array<double, 3> colour = cylinder_colour(scan, x, y);
+    double d = 0, grey = 0, skin_grey = 0;
+    for (std::size_t c = 0; c < 3; ++c) grey += colour[c], skin_grey += skin[c];
+    if (grey < nothing_seen * skin_grey) return true;
+    if (grey < darkest_cap * skin_grey) return false;  // a marker, a brow
+    // Hue, not lightness: a share of the sum.
+    for (std::size_t c = 0; c < 3; ++c) d += std::abs(colour[c] * skin_grey / grey - skin[c]);
+    return d > tolerance;
+  };
+  // Down from the top as long as it is cap.
+  constexpr int sure_px = 4;
+  for (int x = 0; x < scan.picture.width; ++x) {
+    int last = -1, skin_run = 0;
+    for (int y = top; y < cvRound(points[30].y) && skin_run < sure_px; ++y) {
+      skin_run = is_cap(x, y) ? 0 : skin_run + 1;
+      if (skin_run == 0) last = y;
+    }
+    if (last >= 0) rows[static_cast<std::size_t>(x)] = last + sure_px;
+  }
+  return rows;
+}
+
+std::uint32_t nearest_vertex(const Mesh& mesh, const CylinderScan& scan, const cv::Point2f& p) {
+  std::uint32_t best = 0;
+  double least = 1e30;
+  for (std::uint32_t v = 0; v < mesh.uvs.size(); ++v) {
+    const double x = static_cast<double>(mesh.uvs[v][0]) * scan.picture.width - 0.5,
+                 y = static_cast<double>(1 - mesh.uvs[v][1]) * scan.picture.height - 0.5;
+    const double d = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+    if (d < least) least = d, best = v;
+  }
+  return best;
+}
+
+// Drops what is not connected to the largest piece, and vertices without polygons.
+void keep_largest(Mesh& mesh) {
+  const std::size_t vertices = mesh.points_mm.size();
+  std::vector<std::uint32_t> root(vertices);
+  for (std::uint32_t v = 0; v < vertices; ++v) root[v] = v;
+  const auto find = [&](std::uint32_t v) {
+    while (root[v] != v) v = root[v] = root[root[v]];
+    return v;
+  };
+  for (std::size_t c = 0; c + 2 < mesh.corners.size(); c += 3)
+    for (std::size_t k = 1; k < 3; ++k) root[find(mesh.corners[c + k])] = find(mesh.corners[c]);
+  std::vector<std::size_t> size(vertices, 0);
+  for (const std::uint32_t v : mesh.corners) ++size[find(v)];
+  const auto largest = static_cast<std::uint32_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  constexpr std::uint32_t unused = 0xffffffff;
+  std::vector<std::uint32_t> number(vertices, unused);
+  Mesh kept;
+  std::vector<bool> used(vertices, false);
+  for (const std::uint32_t v : mesh.corners) used[v] = find(v) == largest;
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    if (!used[v]) continue;
+    number[v] = static_cast<std::uint32_t>(kept.points_mm.size());
+    kept.points_mm.push_back(mesh.points_mm[v]);
+    kept.colors_srgb.push_back(mesh.colors_srgb[v]);
+    kept.uvs.push_back(mesh.uvs[v]);
+  }
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+    if (number[mesh.corners[c]] == unused) continue;
+    kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.corners.size()));
+    for (std::size_t k = 0; k < 3; ++k) kept.corners.push_back(number[mesh.corners[c + k]]);
+  }
+  kept.polygon_starts.push_back(static_cast<std::uint32_t>(kept.corners.size()));
+  mesh = std::move(kept);
+}
+
+Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector<int>& first_row, int last_row,
+               const ScanTemplateOptions& options) {
+  Mesh mesh;
+  const int width = scan.picture.width;
+  const int row_stride = static_cast<int>(options.row_stride), column_stride = static_cast<int>(options.column_stride);
+  const int half =
+      static_cast<int>(options.half_angle_deg * std::numbers::pi / 180 / static_cast<double>(scan.phi_step_rad));
+  const int left = std::max(0, width / 2 - half / column_stride * column_stride),
+            right = std::min(width - 1, width / 2 + half);
+  const int columns = (right - left) / column_stride + 1, rows = scan.picture.height / row_stride;
+  std::vector<std::int32_t> vertex(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
+  const auto node = [&](int c, int r) -> std::int32_t& {
+    return vertex[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)];
+  };
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const int x = left + c * column_stride, y = r * row_stride;
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      if (y < first_row[static_cast<std::size_t>(x)] || y > last_row || !(scan.radius_mm[i] > 0) ||
+          mouth.at<std::uint8_t>(y, x) != 0)
+        continue;
+      node(c, r) = static_cast<std::int32_t>(mesh.points_mm.size());
+      mesh.points_mm.push_back(cylinder_world(
+          scan, {static_cast<double>(x), static_cast<double>(y), static_cast<double>(scan.radius_mm[i])}));
+      mesh.uvs.push_back({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                          1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(scan.picture.height)});
+      Vec3f colour{};
+      for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<float>(scan.picture.pixels[3 * i + k]) / 255;
+      mesh.colors_srgb.push_back(colour);
+    }
+  const auto near = [&](std::int32_t a, std::int32_t b) {
+    const Vec3f &p = mesh.points_mm[static_cast<std::size_t>(a)], &q = mesh.points_mm[static_cast<std::size_t>(b)];
+    return static_cast<double>(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2])) <= options.longest_edge_mm;
+  };
+  const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+    if (a < 0 || b < 0 || c < 0 || !near(a, b) || !near(b, c) || !near(c, a)) return;
+    for (const std::int32_t v : {a, b, c}) mesh.corners.push_back(static_cast<std::uint32_t>(v));
+  };
+  for (int r = 0; r + 1 < rows; ++r)
+    for (int c = 0; c + 1 < columns; ++c) {
+      const cv::Rect cell(left + c * column_stride, r * row_stride, column_stride + 1, row_stride + 1);
+      if (cv::countNonZero(mouth(cell & cv::Rect(0, 0, mouth.cols, mouth.rows))) > 0) continue;
+      // Counter-clockwise seen from outside: rows run downwards, columns to the head's left.
+      add(node(c, r), node(c, r + 1), node(c + 1, r));
+      add(node(c + 1, r), node(c, r + 1), node(c + 1, r + 1));
+    }
+  keep_largest(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+std::size_t skin_count(const MorphableModel& surface) {
+  std::size_t count = 0;
+  const std::vector<bool> skin = skin_vertices(surface.mean);
+  while (count < skin.size() && skin[count]) ++count;
+  return count;
+}
+
+std::vector<std::uint32_t> mouth_loop(const MorphableModel& surface) {
+  const std::size_t skin = skin_count(surface);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> edges;
+  for (const render::Triangle& t : render::triangulate(surface.mean).triangles) {
+    if (t[0] >= skin || t[1] >= skin || t[2] >= skin) continue;
+    for (std::size_t k = 0; k < 3; ++k) edges[{t[k], t[(k + 1) % 3]}] = true;
+  }
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [edge, present] : edges)
+    if (present && !edges.contains({edge.second, edge.first})) next[edge.first] = edge.second;
+  // The boundary loop that comes nearest to all inner lip points.
+  std::vector<std::uint32_t> best;
+  double least = 1e30;
+  while (!next.empty() && surface.landmarks68.size() == 68) {
+    std::vector<std::uint32_t> loop;
+    for (std::uint32_t v = next.begin()->first; next.contains(v);) {
+      loop.push_back(v);
+      const std::uint32_t to = next[v];
+      next.erase(v);
+      v = to;
+    }
+    double farthest = 0;
+    for (std::size_t i = 60; i < 68; ++i) {
+      const Vec3f& mark = surface.mean.points_mm[surface.landmarks68[i]];
+      double nearest = 1e30;
+      for (const std::uint32_t v : loop) {
+        const Vec3f& p = surface.mean.points_mm[v];
+        nearest = std::min<double>(nearest, std::hypot(p[0] - mark[0], p[1] - mark[1], p[2] - mark[2]));
+      }
+      farthest = std::max(farthest, nearest);
+    }
+    if (loop.size() > 8 && farthest < least) {
+      least = farthest;
+      best = std::move(loop);
+    }
+  }
+  constexpr double reach_mm = 8;
+  return least < reach_mm ? best : std::vector<std::uint32_t>();
+}
+
+std::vector<LipPair> lip_pairs(const MorphableModel& surface, const std::vector<std::uint32_t>& loop) {
+  std::map<float, LipPair> pairs;
+  const std::vector<Vec2f>& uvs = surface.mean.uvs;
+  for (const std::uint32_t v : loop) {
+    const auto [it, fresh] = pairs.try_emplace(uvs[v][0], LipPair{v, v});
+    if (fresh) continue;
+    if (uvs[v][1] > uvs[it->second.upper][1]) it->second.upper = v;
+    if (uvs[v][1] < uvs[it->second.lower][1]) it->second.lower = v;
+  }
+  std::vector<LipPair> all;
+  for (const auto& [u, pair] : pairs)
+    if (pair.upper != pair.lower) all.push_back(pair);
+  return all;
+}
+
+MorphableModel scan_template(const CylinderScan& reference, const Landmarks& landmarks,
+                             const ScanTemplateOptions& options) {
+  check_cylinder(reference, "reference");
+  check(options.row_stride >= 1 && options.column_stride >= 1, "strides are ", options.row_stride, " and ",
+        options.column_stride, ", expected at least 1");
+  const std::vector<cv::Point2f> points = points68(landmarks);
+  const CylinderScan scan = filled(reference);
+  float brows = 1e9f;
+  for (std::size_t i = 17; i < 27; ++i) brows = std::min(brows, points[i].y);
+  const double face = static_cast<double>(points[8].y - brows);
+  check(face > 0, "landmarks have the chin in row ", points[8].y, ", above the brows in row ", brows);
+  const int top = std::max(0, cvRound(static_cast<double>(brows) - options.top_share * face));
+  const int bottom = cvRound(static_cast<double>(points[8].y) + options.bottom_share * face);
+  const cv::Mat mouth = mouth_mask(scan, points);
+  MorphableModel surface;
+  surface.mean = skin_mesh(scan, mouth, cap_rows(scan, points, top, options.cap_tolerance), bottom, options);
+  check(surface.mean.points_mm.size() >= 68, "the reference gives ", surface.mean.points_mm.size(),
+        " vertices, expected at least 68: are the landmarks this scan's?");
+  surface.mean.corner_uvs = surface.mean.corners;
+  surface.mean.parts = {{"face", 0, static_cast<std::uint32_t>(surface.mean.polygon_count()), {1, 1, 1}, 0.25f, true}};
+  surface.mean_albedo = vertex_albedo(surface.mean);
+  for (const cv::Point2f& p : points) surface.landmarks68.push_back(nearest_vertex(surface.mean, scan, p));
+  // Pairs of the lips: the ends of the hole in every column of its middle half.
+  const std::vector<std::uint32_t> loop = mouth_loop(surface);
+  if (cv::countNonZero(mouth) == 0 || loop.empty()) return surface;
+  const float right = points[60].x, left = points[64].x;
+  for (const LipPair& pair : lip_pairs(surface, loop)) {
+    const float x = surface.mean.uvs[pair.upper][0] * static_cast<float>(scan.picture.width) - 0.5f;
+    const float share = (x - right) / (left - right);
+    if (share > 0.25f && share < 0.75f) surface.inner_lips.push_back(pair);
+  }
+  return surface;
+}
+
+}  // namespace face::model
