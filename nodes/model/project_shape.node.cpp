@@ -5,4 +5,6 @@ using namespace engine::declare;
 using namespace face::model;
 
 NODE("model.project_shape", &project_shape, version{1}, doc{"Coefficients of a shape in a linear space of shapes."},
-     input{"model", "The space"}, input{"shape", "The shape"}, output("coefficients", "One per component"));
+     input{"model", "The space"}, input{"shape", "The shape"},
+     input{"known", "False where the frame is lost: no coefficients; unconnected: it is not"},
+     output("coefficients", "One per component"));

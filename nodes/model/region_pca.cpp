@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/model/region_pca.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "nodes/base/check.h"
 #include "nodes/base/random.h"
@@ -55,6 +58,45 @@ Spectrum largest_of(const Eigen::MatrixXd& lower, Eigen::Index wanted) {
   return all_of(gram);
 }
 
+// Scaled columns of x (m x n): numbers of the region, each times the root of its vertex's weight.
+struct Region {
+  std::vector<Eigen::Index> columns;
+  std::vector<double> roots;
+};
+
+// The lower triangle of the Gram matrix of a region's columns, tile by tile of its rows. Every tile is the sum over the
+// same runs of columns in the same order whoever computes it, so it does not depend on the number of threads.
+Eigen::MatrixXd gram_of(const RowMatrix& x, const Region& region) {
+  constexpr Eigen::Index tile = 256;
+  constexpr std::size_t run = 1024;
+  const Eigen::Index m = x.rows(), tiles = (m + tile - 1) / tile;
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+  for (Eigen::Index a = 0; a < tiles; ++a)
+    for (Eigen::Index b = 0; b <= a; ++b) pairs.push_back({a * tile, b * tile});
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
+  const auto part_of = [&](Eigen::Index first, std::size_t start, std::size_t end) {
+    RowMatrix part(std::min(tile, m - first), static_cast<Eigen::Index>(end - start));
+    for (Eigen::Index j = 0; j < part.rows(); ++j)  // along memory
+      for (std::size_t c = start; c < end; ++c)
+        part(j, static_cast<Eigen::Index>(c - start)) = region.roots[c] * x(first + j, region.columns[c]);
+    return part;
+  };
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
+    const auto [row, column] = pairs[p];
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(std::min(tile, m - row), std::min(tile, m - column));
+    for (std::size_t start = 0; start < region.columns.size(); start += run) {
+      const std::size_t end = std::min(region.columns.size(), start + run);
+      const RowMatrix left = part_of(row, start, end);
+      if (row == column)
+        sum.noalias() += left * left.transpose();
+      else
+        sum.noalias() += left * part_of(column, start, end).transpose();
+    }
+    gram.block(row, column, sum.rows(), sum.cols()) = sum;
+  });
+  return gram;
+}
+
 }  // namespace
 
 ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights, const RegionPcaOptions& options) {
@@ -72,33 +114,40 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
     const auto shape = shapes.at(j);
     check(shape->points_mm.size() == vertices, "shape ", shapes.id(j), " has ", shape->points_mm.size(), " points, ",
           shapes.id(0), " has ", vertices);
+    double* row = x.data() + static_cast<Eigen::Index>(j) * n;
     for (std::size_t v = 0; v < vertices; ++v)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double value = static_cast<double>(shape->points_mm[v][k]);
-        check(std::isfinite(value), "shape ", shapes.id(j), " has a point ", v, " that is not finite");
-        x(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(3 * v + k)) = value;
-      }
+      for (std::size_t k = 0; k < 3; ++k) row[3 * v + k] = static_cast<double>(shape->points_mm[v][k]);
+    if (!x.row(static_cast<Eigen::Index>(j)).allFinite())
+      for (std::size_t i = 0; i < size; ++i)
+        check(std::isfinite(row[i]), "shape ", shapes.id(j), " has a point ", i / 3, " that is not finite");
   }
-  const Eigen::RowVectorXd mean = x.colwise().mean();
-  x.rowwise() -= mean;
-  // Columns of the region alone, scaled: the Gram matrix costs m^2 x their number.
-  std::vector<Eigen::Index> region;
-  for (std::size_t v = 0; v < vertices; ++v)
-    if (!weights || weights->values[v] > 0)
-      for (std::size_t k = 0; k < 3; ++k) region.push_back(static_cast<Eigen::Index>(3 * v + k));
-  std::vector<double> roots;
-  for (const Eigen::Index column : region)
-    roots.push_back(weights ? std::sqrt(weights->values[static_cast<std::size_t>(column / 3)]) : 1.0);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
-  constexpr std::size_t block = 1024;
-  for (std::size_t start = 0; start < region.size(); start += block) {
-    const std::size_t end = std::min(region.size(), start + block);
-    RowMatrix part(m, static_cast<Eigen::Index>(end - start));
-    for (Eigen::Index j = 0; j < m; ++j)  // along memory
-      for (std::size_t c = start; c < end; ++c)
-        part(j, static_cast<Eigen::Index>(c - start)) = roots[c] * x(j, region[c]);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(part);
+  // Runs of columns: each sums its own rows in order.
+  constexpr std::size_t run = 2048;
+  const auto runs = [&](const auto& use) {
+    tbb::parallel_for(std::size_t{0}, (size + run - 1) / run, [&](std::size_t r) {
+      const std::size_t start = r * run, end = std::min(size, start + run);
+      use(static_cast<Eigen::Index>(start), static_cast<Eigen::Index>(end - start));
+    });
+  };
+  Eigen::RowVectorXd mean(n);
+  runs([&](Eigen::Index start, Eigen::Index length) {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(length);
+    for (Eigen::Index j = 0; j < m; ++j) sum += x.row(j).segment(start, length);
+    sum /= static_cast<double>(m);
+    mean.segment(start, length) = sum;
+    for (Eigen::Index j = 0; j < m; ++j) x.row(j).segment(start, length) -= sum;
+  });
+  // The Gram matrix costs m^2 times the number of the region's columns.
+  Region region;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double weight = weights ? weights->values[v] : 1;
+    if (!(weight > 0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      region.columns.push_back(static_cast<Eigen::Index>(3 * v + k));
+      region.roots.push_back(std::sqrt(weight));
+    }
   }
+  const Eigen::MatrixXd gram = gram_of(x, region);
   const auto wanted = std::min<Eigen::Index>(options.components, m);
   const Spectrum spectrum = largest_of(gram, wanted);
   const Eigen::VectorXd& values = spectrum.values;
@@ -118,12 +167,14 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
   Eigen::MatrixXd right(m, k);  // v~_i / w~_i
   for (Eigen::Index i = 0; i < k; ++i) right.col(i) = spectrum.vectors.col(i) / w[static_cast<std::size_t>(i)];
   Eigen::Map<RowMatrix> modes(model.modes.data(), k, n), projections(model.projections.data(), k, n);
-  modes.noalias() = right.transpose() * x;
   // u~_i = D^(1/2) u_i, and a_i = u~_i . D^(1/2) x: the projection of a full face is D u_i.
-  for (Eigen::Index c = 0; c < n; ++c) {
-    const double d = weights ? weights->values[static_cast<std::size_t>(c / 3)] : 1.0;
-    if (d > 0) projections.col(c) = d * modes.col(c);
-  }
+  runs([&](Eigen::Index start, Eigen::Index length) {
+    modes.middleCols(start, length).noalias() = right.transpose() * x.middleCols(start, length);
+    for (Eigen::Index c = start; c < start + length; ++c) {
+      const double d = weights ? weights->values[static_cast<std::size_t>(c / 3)] : 1.0;
+      if (d > 0) projections.col(c) = d * modes.col(c);
+    }
+  });
   for (Eigen::Index i = 0; i < k; ++i) {
     Eigen::Index at = 0;
     projections.row(i).cwiseAbs().maxCoeff(&at);
@@ -174,7 +225,8 @@ std::vector<double> shape_of(const ShapeModel& model, const std::vector<double>&
   return out;
 }
 
-Weights project_shape(const ShapeModel& model, const MeshPoints& shape) {
+Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known) {
+  if (known && !*known) return {};
   std::vector<double> x;
   for (const Vec3f& p : shape.points_mm)
     for (const float value : p) x.push_back(static_cast<double>(value));

@@ -29,8 +29,9 @@ struct RegionPcaOptions {
 ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights,
                       const RegionPcaOptions& options = {});
 
-// Coefficients of a shape, K of them. The model's vertices and the shape's are the same.
-Weights project_shape(const ShapeModel& model, const MeshPoints& shape);
+// Coefficients of a shape, K of them. The model's vertices and the shape's are the same. known: false where the frame
+// is lost (align.orient did not solve it): no coefficients; null = it is not.
+Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known = nullptr);
 
 struct RebuildShapeOptions {
   double amplify = 1;

@@ -12,6 +12,7 @@
 #include "nodes/model/fit_image.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/from_rig.h"
+#include "nodes/model/region_pca.h"
 #include "nodes/model/track_video.h"
 #include "nodes/phantom/identity_modes.h"
 #include "nodes/phantom/make_head.h"
@@ -94,6 +95,30 @@ void TrackVideo(benchmark::State& state) {
     benchmark::DoNotOptimize(model::track_video(world().model, world().picture, start, map, {}).fit.image_rms);
 }
 BENCHMARK(TrackVideo)->Unit(benchmark::kMillisecond);
+
+// 2,000 shapes of 20,000 vertices to 50 components, on as many threads as there are: a region of a fifth, and all.
+void RegionPca(benchmark::State& state) {
+  constexpr std::size_t count = 2000, vertices = 20000, rank = 60;
+  Random random(1);
+  std::vector<std::vector<float>> modes(rank, std::vector<float>(3 * vertices));
+  for (auto& mode : modes)
+    for (float& x : mode) x = static_cast<float>(random.normal());
+  std::vector<MeshPoints> shapes(count);
+  for (MeshPoints& shape : shapes) {
+    std::vector<float> x(3 * vertices);
+    for (std::size_t k = 0; k < rank; ++k) {
+      const auto a = static_cast<float>(random.normal() / static_cast<double>(k + 1));
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += a * modes[k][i];
+    }
+    for (float& value : x) value += 0.01f * static_cast<float>(random.bits() >> 40) / 16777216.0f;
+    for (std::size_t v = 0; v < vertices; ++v) shape.points_mm.push_back({x[3 * v], x[3 * v + 1], x[3 * v + 2]});
+  }
+  Matrix weights{vertices, 1, std::vector<double>(vertices, 0.0)};
+  for (std::size_t v = 0; v < vertices / static_cast<std::size_t>(state.range(0)); ++v) weights.values[v] = 1;
+  const engine::Seq<MeshPoints> all(std::move(shapes));
+  for (auto _ : state) benchmark::DoNotOptimize(model::region_pca(all, &weights, {.components = 50}).modes.data());
+}
+BENCHMARK(RegionPca)->Arg(5)->Arg(1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void Extract(benchmark::State& state) {
   const FaceFit fit = model::fit_image(world().model, world().picture, world().points);

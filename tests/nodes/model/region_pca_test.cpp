@@ -2,12 +2,14 @@
 #include "nodes/model/region_pca.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "nodes/base/pose.h"
 #include "nodes/base/random.h"
 #include "nodes/model/join_takes.h"
+#include "nodes/model/measure_leakage.h"
 #include "nodes/model/sample_scan.h"
 #include "nodes/phantom/make_head.h"
 #include "tests/support/expect_throw_text.h"
@@ -45,22 +47,6 @@ std::vector<double> numbers(const MeshPoints& shape) {
   for (const Vec3f& p : shape.points_mm)
     for (const float x : p) out.push_back(static_cast<double>(x));
   return out;
-}
-
-// R^2 of predicting a curve by the first `count` coefficients (uncorrelated over the examples by construction).
-double explained(const ShapeModel& model, const std::vector<MeshPoints>& shapes, const std::vector<double>& curve,
-                 std::size_t count) {
-  std::vector<std::vector<double>> a;
-  for (const MeshPoints& s : shapes) a.push_back(coefficients_of(model, numbers(s)));
-  double mean = 0, total = 0, r2 = 0;
-  for (const double c : curve) mean += c / static_cast<double>(curve.size());
-  for (const double c : curve) total += (c - mean) * (c - mean);
-  for (std::size_t k = 0; k < std::min(count, model.size()); ++k) {
-    double product = 0, square = 0;
-    for (std::size_t j = 0; j < a.size(); ++j) product += a[j][k] * (curve[j] - mean), square += a[j][k] * a[j][k];
-    r2 += product * product / (square * total);
-  }
-  return r2;
 }
 
 }  // namespace
@@ -113,34 +99,94 @@ TEST(RegionPca, RegressesTheFaceOnTheRegionOnNoisyData) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(rebuilt.points_mm[v][k], shapes[7].points_mm[v][k], 1e-5);
 }
 
+TEST(RegionPca, GivesTheSameBitsForAnyNumberOfThreads) {
+  const std::vector<MeshPoints> shapes = random_shapes(600, 900, 30, 4);
+  Matrix weights{900, 1, std::vector<double>(900, 0.0)};
+  for (std::size_t v = 100; v < 700; ++v) weights.values[v] = 0.1 + 0.001 * static_cast<double>(v);
+  const auto with_threads = [&](std::size_t count) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+    return region_pca(engine::Seq<MeshPoints>(shapes), &weights, {.components = 20});
+  };
+  const ShapeModel one = with_threads(1), four = with_threads(4);
+  EXPECT_EQ(one.mean_mm, four.mean_mm);
+  EXPECT_EQ(one.sigmas_mm, four.sigmas_mm);
+  EXPECT_EQ(one.modes, four.modes);
+  EXPECT_EQ(one.projections, four.projections);
+}
+
+// A head that speaks and blinks, every third vertex of its face, with a scanner's noise: as many frames as a corpus.
 TEST(RegionPca, LeavesBlinksOutOfTheMouthsComponents) {
   const Rig head = phantom::make_head({.with_hair = false});
+  std::vector<std::uint32_t> picked;
+  for (std::uint32_t v = 0; v < head.neutral.points_mm.size(); v += 3)
+    if (head.neutral.points_mm[v][2] > 20) picked.push_back(v);
   Random random(8);
   std::vector<MeshPoints> shapes;
-  std::vector<double> blink;
-  for (int t = 0; t < 120; ++t) {
+  std::vector<Weights> truth;
+  for (int t = 0; t < 2000; ++t) {
     Weights weights;
-    blink.push_back(t % 17 < 3 ? 1.0 : 0.0);
+    const double blink = t % 97 < 8 ? 1.0 : 0.0;
     const double open = 0.25 * (1 + std::sin(0.9 * t)), pucker = 0.4 * (1 + std::sin(0.37 * t));
     for (const Shape& s : head.shapes)
-      weights.values.push_back(s.name.starts_with("eyeBlink")     ? static_cast<float>(blink.back())
+      weights.values.push_back(s.name.starts_with("eyeBlink")     ? static_cast<float>(blink)
                                : s.name == "jawOpen"              ? static_cast<float>(open)
                                : s.name == "mouthPucker"          ? static_cast<float>(pucker)
                                : s.name.starts_with("mouthSmile") ? static_cast<float>(0.3 * random.uniform())
                                                                   : 0.0f);
-    shapes.push_back({pose_points(head, weights)});
-    for (Vec3f& p : shapes.back().points_mm)
-      for (float& x : p) x += static_cast<float>(0.05 * random.normal());
+    const std::vector<Vec3f> posed = pose_points(head, weights);
+    shapes.emplace_back();
+    for (const std::uint32_t v : picked) {
+      shapes.back().points_mm.push_back(posed[v]);
+      for (float& x : shapes.back().points_mm.back()) x += static_cast<float>(0.05 * random.normal());
+    }
+    truth.push_back(std::move(weights));
   }
-  Matrix weights{head.neutral.points_mm.size(), 1, {}};
-  for (const Vec3f& p : head.neutral.points_mm)
+  Matrix weights{picked.size(), 1, {}};
+  for (const std::uint32_t v : picked) {
+    const Vec3f& p = head.neutral.points_mm[v];
     weights.values.push_back(p[1] < -10 && p[1] > -70 && p[2] > 40 && std::fabs(p[0]) < 40 ? 1 : 0);
+  }
   const engine::Seq<MeshPoints> all(shapes);
-  const double region = explained(region_pca(all, &weights, {.components = 15}), shapes, blink, 15);
-  const double plain = explained(region_pca(all, nullptr, {.components = 15}), shapes, blink, 15);
-  EXPECT_GE(plain, 0.9);  // it is one of the leading components
-  // 15 coefficients of noise explain 15 / 119 of any curve by chance; the bar of 2 % holds over the frames of a corpus.
-  EXPECT_LE(region, 0.16);
+  const auto leakage = [&](const Matrix* region) {
+    const ShapeModel model = region_pca(all, region, {.components = 15});
+    std::vector<Weights> coefficients;
+    for (const MeshPoints& shape : shapes) coefficients.push_back(project_shape(model, shape));
+    return measure_leakage(engine::Seq<Weights>(coefficients), engine::Seq<Weights>(truth)).rows[0].values;
+  };
+  EXPECT_GE(leakage(nullptr)[0], 90);  // it is one of the leading components
+  const std::vector<double> region = leakage(&weights);
+  EXPECT_LE(region[0], 2);
+  EXPECT_NEAR(region[1], 0.75, 0.01);  // what 15 coefficients of noise explain of 2,000 frames
+  EXPECT_EQ(region[2], 2000);
+}
+
+TEST(MeasureLeakage, TellsWhatCoefficientsExplain) {
+  Random random(2);
+  std::vector<Weights> coefficients, truth;
+  for (int t = 0; t < 5000; ++t) {
+    const auto a = static_cast<float>(random.normal()), b = static_cast<float>(random.normal());
+    coefficients.push_back({{a, 1}});
+    truth.push_back({{3 * a + 4 * b + 7}});  // 9 of 25 of the variance
+  }
+  const engine::Seq<Weights> all(truth);
+  const Table table = measure_leakage(engine::Seq<Weights>(coefficients), all, {.components = 1});
+  EXPECT_EQ(table.rows[0].name, "eyeBlinkLeft");
+  EXPECT_NEAR(table.rows[0].values[0], 36, 4);
+  coefficients[7] = {};
+  EXPECT_EQ(measure_leakage(engine::Seq<Weights>(coefficients), all).rows[0].values[2], 4999);
+  for (Weights& w : truth) w.values[0] = 1;
+  EXPECT_TRUE(
+      std::isnan(measure_leakage(engine::Seq<Weights>(coefficients), engine::Seq<Weights>(truth)).rows[0].values[0]));
+  EXPECT_THROW_TEXT(measure_leakage(engine::Seq<Weights>(coefficients), all, {.shape = "blink"}),
+                    "shape is \"blink\", expected a name of ARKit's, as eyeBlinkLeft");
+}
+
+TEST(ProjectShape, GivesNoCoefficientsToALostFrame) {
+  const std::vector<MeshPoints> shapes = random_shapes(6, 5, 2);
+  const ShapeModel model = region_pca(engine::Seq<MeshPoints>(shapes), nullptr);
+  const bool known = true, lost = false;
+  EXPECT_EQ(project_shape(model, shapes[0], &known).values, project_shape(model, shapes[0]).values);
+  EXPECT_TRUE(project_shape(model, shapes[0], &lost).values.empty());
 }
 
 TEST(RegionPca, AmplifiesDeparturesFromTheMean) {
