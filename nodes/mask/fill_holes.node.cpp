@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::mask;
 
-NODE("mask.fill_holes", &fill_holes, version{1},
+NODE("mask.fill_holes", &fill_holes, version{1}, cheap{},
      doc{"Closes holes in the depth of a scan by linear interpolation along its rows."}, input{"scan", "The scan"},
      param("longest_px", &FillHolesOptions::longest_px, range{1, 10000}, unit{"px"}, "Longest gap that is filled"),
      param("largest_step_mm", &FillHolesOptions::largest_step_mm, range{0.0, 10000.0}, unit{"mm"},

@@ -5,6 +5,6 @@
 using namespace engine::declare;
 using namespace face::mask;
 
-NODE("mask.reopen", &reopen, version{1}, doc{"Takes the depth of a scan out where an image is white."},
+NODE("mask.reopen", &reopen, version{1}, cheap{}, doc{"Takes the depth of a scan out where an image is white."},
      input{"scan", "The scan"}, input{"interior", "White where depth goes, from mask.remove_mouth"},
      output("opened", "The scan without it"));
