@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "nodes/base/check.h"
 #include "nodes/speech/arpabet.h"
 #include "nodes/speech/normalize_text.h"
+#include "nodes/speech/read_dictionary.h"
 #include "nodes/speech/split_stops.h"
 
 namespace face::speech {
@@ -38,9 +40,33 @@ Phones to_phones(const SpokenUtterance& spoken, double duration_s) {
   return result;
 }
 
+// The text's words that the dictionary lacks, in their order, each once with the phones it was given. A possessive is
+// known with its base word.
+void warn_of_unknown_words(const std::string& text, const Phones& phones, const engine::File& dictionary,
+                           engine::Progress& progress) {
+  const std::vector<std::string> words = normalize_text(text).words;
+  std::set<std::string, std::less<>> wanted(words.begin(), words.end());
+  const auto base_of = [](const std::string& word) {
+    return word.ends_with("'s") ? word.substr(0, word.size() - 2) : word;
+  };
+  for (const std::string& word : words) wanted.insert(base_of(word));
+  const Pronunciations known = read_dictionary(dictionary, wanted);
+  std::set<std::string> told;
+  for (const std::string& word : words) {
+    if (known.contains(word) || known.contains(base_of(word)) || !told.insert(word).second) continue;
+    std::string spoken;
+    for (std::size_t k = 0; k < phones.phones.size() && (spoken.empty() || phones.phones[k].word == word); ++k)
+      if (phones.phones[k].word == word) spoken += (spoken.empty() ? "" : " ") + phones.phones[k].label;
+    // flite spells what it cannot pronounce: then no spoken word is this one.
+    progress.warn(message("\"", word, "\" is not in the dictionary: ",
+                          spoken.empty() ? "spelled letter by letter" : "spoken as " + spoken));
+  }
+}
+
 }  // namespace
 
-SayResult say(const std::string& text, const SayOptions& options, engine::Progress& progress) {
+SayResult say(const std::string& text, const engine::File* dictionary, const SayOptions& options,
+              engine::Progress& progress) {
   std::vector<std::string> warnings;
   const std::string plain = ascii_text(text, warnings);
   for (const std::string& warning : warnings) progress.warn(warning);
@@ -54,7 +80,9 @@ SayResult say(const std::string& text, const SayOptions& options, engine::Progre
   result.audio.samples.reserve(spoken.samples.size());
   for (const std::int16_t sample : spoken.samples)
     result.audio.samples.push_back(static_cast<float>(sample) / 32768.0F);
-  result.phones = split_stops(to_phones(spoken, result.audio.duration_s()), &result.audio);
+  const Phones phones = to_phones(spoken, result.audio.duration_s());
+  if (dictionary) warn_of_unknown_words(plain, phones, *dictionary, progress);
+  result.phones = split_stops(phones, &result.audio);
   return result;
 }
 

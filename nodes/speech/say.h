@@ -22,6 +22,8 @@ struct SayResult {
 // Speaks a text with flite (Black and Lenzo, Flite: a small fast run-time synthesis engine, 4th ISCA Workshop on Speech
 // Synthesis, 2001). The phone times are exact: they are what the synthesiser was told to make. Characters
 // that English lacks are left out with a warning. Throws on a text without anything to say.
-SayResult say(const std::string& text, const SayOptions& options, engine::Progress& progress);
+// dictionary: CMU format, may be null; words that it lacks are warned of, with the phones that were spoken for them.
+SayResult say(const std::string& text, const engine::File* dictionary, const SayOptions& options,
+              engine::Progress& progress);
 
 }  // namespace face::speech

@@ -7,6 +7,7 @@ using namespace face::speech;
 
 NODE("speech.say", &say, version{1}, doc{"Speaks a text with flite; the phone times are the synthesiser's own."},
      input{"text", "What to say, English"},
+     input{"dictionary", "CMU format: a warning tells how words that it lacks are spoken"},
      param("voice", &SayOptions::voice,
            {{"slt", Voice::slt}, {"rms", Voice::rms}, {"awb", Voice::awb}, {"kal", Voice::kal}},
            "slt: US woman; rms, kal: US men; awb: Scotsman"),

@@ -32,7 +32,7 @@ TEST(AlignAccuracy, MeetsTheSynthesisersExactPhoneEnds) {
   for (const auto& [name, voice] : {std::pair{"slt", Voice::slt}, {"rms", Voice::rms}, {"awb", Voice::awb}}) {
     test::BoundaryErrors of_voice;
     for (const std::string text : test::labial_sentences) {
-      const auto said = face::speech::say(text, {voice}, progress);
+      const auto said = face::speech::say(text, nullptr, {voice}, progress);
       const AlignResult aligned = align(said.audio, &text, model, dictionary, nullptr, {}, progress);
       EXPECT_TRUE(aligned.matches) << name << ": " << text << " " << aligned.mean_score;
       const auto truth = test::whole_phones(said.phones);

@@ -22,7 +22,7 @@ namespace {
 
 face::speech::SayResult spoken(const std::string& text, Voice voice = Voice::slt) {
   engine::Progress progress;
-  return face::speech::say(text, {voice}, progress);
+  return face::speech::say(text, nullptr, {voice}, progress);
 }
 
 AlignResult aligned(const Audio& audio, const std::string& text, engine::Progress&& progress = {}) {

@@ -18,7 +18,7 @@ namespace {
 
 SayResult spoken(const std::string& text, Voice voice = Voice::slt, double stretch = 1) {
   engine::Progress progress;
-  return say(text, {voice, stretch}, progress);
+  return say(text, nullptr, {voice, stretch}, progress);
 }
 
 }  // namespace
@@ -83,9 +83,24 @@ TEST(Say, GivesTheSameFromSeveralThreads) {
 
 TEST(Say, WarnsOfCharactersItLeavesOut) {
   test::Warnings warnings;
-  say("Caf\u00e9 \u6f22", {}, warnings);
+  say("Caf\u00e9 \u6f22", nullptr, {}, warnings);
   ASSERT_EQ(warnings.texts.size(), 1u);
   EXPECT_EQ(warnings.texts[0], "left out 1 characters that cannot be read as English: \u6f22");
+}
+
+TEST(Say, TellsHowItSpokeWordsThatTheDictionaryLacks) {
+  NEEDS_ACOUSTIC_MODEL();
+  const engine::File dictionary = test::dictionary();
+  test::Warnings warnings;
+  say("Bob saw the flobbit's dog, Bob's flobbit, a flobbit, a blorft and 3 dogs.", &dictionary, {}, warnings);
+  EXPECT_EQ(warnings.texts,
+            (std::vector<std::string>{"\"flobbit's\" is not in the dictionary: spoken as F L AA B IH T S",
+                                      "\"flobbit\" is not in the dictionary: spoken as F L AA B IH T",
+                                      "\"blorft\" is not in the dictionary: spelled letter by letter"}));
+  test::Warnings none;
+  const SayResult with = say("Bob saw 21 dogs.", &dictionary, {}, none);
+  EXPECT_EQ(none.texts, std::vector<std::string>());
+  EXPECT_EQ(with.audio.samples, spoken("Bob saw 21 dogs.").audio.samples);
 }
 
 TEST(Say, RefusesATextWithNothingToSay) {

@@ -56,7 +56,7 @@ void expect_good_lips(const Rig& rig) {
   std::chrono::duration<double> spent{};
   for (const speech::Voice voice : {speech::Voice::slt, speech::Voice::rms})
     for (const char* sentence : sentences) {
-      const Phones phones = speech::say(sentence, {.voice = voice}, silent).phones;
+      const Phones phones = speech::say(sentence, nullptr, {.voice = voice}, silent).phones;
       std::vector<Weights> weights;
       engine::SeqWriter<Weights> writer([&](std::string, Weights value) { weights.push_back(std::move(value)); });
       const auto start = std::chrono::steady_clock::now();
