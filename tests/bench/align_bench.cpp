@@ -21,7 +21,7 @@ void align_speech(benchmark::State& state) {
   face::Audio audio;
   std::string text;
   for (std::size_t i = 0; audio.duration_s() < static_cast<double>(state.range(0)); ++i) {
-    const auto said = face::speech::say(lines[i % lines.size()], {}, progress);
+    const auto said = face::speech::say(lines[i % lines.size()], nullptr, {}, progress);
     audio.samples.insert(audio.samples.end(), said.audio.samples.begin(), said.audio.samples.end());
     text += std::string(lines[i % lines.size()]) + " ";
   }

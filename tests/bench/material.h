@@ -26,7 +26,7 @@ inline Speech speech_of(double least_s) {
   engine::Progress progress;
   Speech speech;
   for (std::size_t i = 0; speech.audio.duration_s() < least_s; ++i) {
-    const face::speech::SayResult said = face::speech::say(lines[i % lines.size()], {}, progress);
+    const face::speech::SayResult said = face::speech::say(lines[i % lines.size()], nullptr, {}, progress);
     const double start_s = speech.audio.duration_s();
     for (face::Phone phone : said.phones.phones) {
       phone.start_s += start_s;
