@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/depth_image.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavutil/pixdesc.h>
+#include <libswscale/swscale.h>
+}
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/av_input.h"
+
+namespace face::decode {
+namespace {
+
+// The only frame of a picture file.
+template <class Use>
+void with_frame(const std::string& path, const std::string& title, Use use) {
+  AvInput input(path, title, AvInput::Kind::video);
+  bool seen = false;
+  input.for_each_frame([&](const AVFrame& frame) {
+    if (!seen) use(frame);
+    seen = true;
+  });
+  check(seen, title, ": holds no picture");
+}
+
+float float_at(const std::uint8_t* p) {
+  float value = 0;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+
+}  // namespace
+
+DepthImage read_depth_image(const std::string& path, const std::string& title) {
+  DepthImage out;
+  with_frame(path, title, [&](const AVFrame& frame) {
+    const auto format = static_cast<AVPixelFormat>(frame.format);
+    int plane = 0;
+    if (format == AV_PIX_FMT_GBRPF32LE || format == AV_PIX_FMT_GBRAPF32LE) plane = 2;  // red
+    const bool floats = plane == 2 || format == AV_PIX_FMT_GRAYF32LE;
+    const bool wide = format == AV_PIX_FMT_GRAY16BE || format == AV_PIX_FMT_GRAY16LE;
+    if (!floats && !wide && format != AV_PIX_FMT_GRAY8) {
+      const char* name = av_get_pix_fmt_name(format);
+      fail(title, ": its pixels are ", name ? name : "unknown",
+           ", expected one grey channel of 8, 16 or 32 (EXR) bits");
+    }
+    out.width = frame.width;
+    out.height = frame.height;
+    out.whole_numbers = !floats;
+    for (int y = 0; y < frame.height; ++y) {
+      const std::uint8_t* row = frame.data[plane] + static_cast<std::ptrdiff_t>(frame.linesize[plane]) * y;
+      for (int x = 0; x < frame.width; ++x) {
+        if (floats)
+          out.values.push_back(float_at(row + 4 * x));
+        else if (!wide)
+          out.values.push_back(row[x]);
+        else if (format == AV_PIX_FMT_GRAY16BE)
+          out.values.push_back(static_cast<float>(row[2 * x] * 256 + row[2 * x + 1]));
+        else
+          out.values.push_back(static_cast<float>(row[2 * x + 1] * 256 + row[2 * x]));
+      }
+    }
+  });
+  return out;
+}
+
+Image read_picture(const std::string& path, const std::string& title) {
+  Image out;
+  with_frame(path, title, [&](const AVFrame& frame) {
+    const auto format = static_cast<AVPixelFormat>(frame.format);
+    out = {frame.width, frame.height, format == AV_PIX_FMT_GRAY8 ? 1 : 3, {}};
+    const auto width = static_cast<std::size_t>(frame.width);
+    if (out.channels == 1) {
+      for (int y = 0; y < frame.height; ++y) {
+        const std::uint8_t* row = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;
+        out.pixels.insert(out.pixels.end(), row, row + width);
+      }
+      return;
+    }
+    const std::unique_ptr<SwsContext, void (*)(SwsContext*)> context(
+        sws_getContext(frame.width, frame.height, format, frame.width, frame.height, AV_PIX_FMT_RGB24,
+                       SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr),
+        &sws_freeContext);
+    check(context != nullptr, title, ": its pixel format cannot be converted to RGB");
+    // swscale writes whole vectors, so rows are padded and copied.
+    const int stride = (3 * frame.width + 63) / 64 * 64 + 64;
+    std::vector<std::uint8_t> padded(static_cast<std::size_t>(stride) * static_cast<std::size_t>(frame.height));
+    std::uint8_t* to[4] = {padded.data(), nullptr, nullptr, nullptr};
+    const int strides[4] = {stride, 0, 0, 0};
+    sws_scale(context.get(), frame.data, frame.linesize, 0, frame.height, to, strides);
+    for (int y = 0; y < frame.height; ++y) {
+      const auto row = padded.begin() + static_cast<std::ptrdiff_t>(stride) * y;
+      out.pixels.insert(out.pixels.end(), row, row + static_cast<std::ptrdiff_t>(3 * width));
+    }
+  });
+  return out;
+}
+
+}  // namespace face::decode

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/depth_take.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/depth_frame.h"
+#include "nodes/decode/input_file.h"
+#include "nodes/decode/scan_camera_file.h"
+
+namespace face::decode {
+namespace {
+
+struct Frame {
+  long number = 0;
+  FramePaths paths;
+  double measured_px = 0, median_depth_mm = 0;
+  std::string trouble;  // empty: it is kept
+};
+
+// The files of a take by frame. Files whose name is no number are trouble of their own.
+std::vector<Frame> frames_of(const engine::File& folder, const std::string& take, std::vector<std::string>& troubles) {
+  std::map<long, Frame> frames;
+  constexpr std::array kinds = {std::pair{"depth/", &FramePaths::depth}, std::pair{"cloud/", &FramePaths::cloud},
+                                std::pair{"picture/", &FramePaths::picture}, std::pair{"mask/", &FramePaths::mask}};
+  for (const engine::File::Entry& entry : folder.entries())
+    for (const auto& [kind, member] : kinds) {
+      const std::string start = kind + take + "/";
+      if (!entry.name.starts_with(start)) continue;
+      const std::string leaf = entry.name.substr(start.size());
+      const std::string stem = leaf.substr(0, leaf.find_last_of('.'));
+      long number = -1;
+      const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
+      if (stem.empty() || error != std::errc() || end != stem.data() + stem.size() || number < 0) {
+        troubles.push_back("file " + entry.name + ": its name is no frame number; left out");
+        continue;
+      }
+      Frame& frame = frames[number];
+      frame.number = number;
+      std::string& path = frame.paths.*member;
+      if (path.empty())
+        path = entry.path;
+      else
+        troubles.push_back(message("frame ", number, ": has a second file ", entry.name, "; left out"));
+    }
+  std::vector<Frame> out;
+  for (auto& [number, frame] : frames) {
+    if (frame.paths.depth.empty() && frame.paths.cloud.empty()) frame.trouble = "it has a picture or mask but no depth";
+    out.push_back(std::move(frame));
+  }
+  return out;
+}
+
+// Says what a median depth of the wrong size would be in another unit.
+std::string depth_trouble(double depth_mm, const DepthTakeOptions& options) {
+  std::string text =
+      message("its median depth is ", depth_mm, " mm, expected ", options.near_mm, " to ", options.far_mm);
+  for (const double factor : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0})
+    if (depth_mm * factor >= options.near_mm && depth_mm * factor <= options.far_mm)
+      return text + message(": is the unit of depth ", factor, " times what is said?");
+  return text;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+std::string first_trouble(const std::vector<Frame>& frames) {
+  for (const Frame& frame : frames)
+    if (!frame.trouble.empty()) return message("; frame ", frame.number, ": ", frame.trouble);
+  return {};
+}
+
+}  // namespace
+
+DepthTakeResult depth_take(const engine::File& folder, const std::string& take, engine::SeqWriter<DepthScan>& scans,
+                           const DepthTakeOptions& options, engine::Progress& progress) {
+  check(folder.is_folder(), title_of(folder), ": is a file, expected the folder of a recorded stream");
+  const std::string camera_path = folder.find("camera.json");
+  check(!camera_path.empty(), title_of(folder), ": has no camera.json, which says fx, fy, cx and cy");
+  const ScanCameraFile camera = read_scan_camera(engine::File::at(camera_path));
+  std::vector<std::string> troubles;
+  std::vector<Frame> frames = frames_of(folder, take, troubles);
+  check(!frames.empty(), title_of(folder), ": has no files of take ", take, " below depth or cloud");
+
+  // Twice through: what is a face's size and distance in this take is known only at its end, and scans are not all
+  // held.
+  const auto read = [&](Frame& frame) -> std::optional<DepthFrame> {
+    try {
+      return read_depth_frame(frame.paths, camera);
+    } catch (const std::exception& error) {
+      frame.trouble = error.what();
+      return {};
+    }
+  };
+  std::vector<double> areas, depths;
+  double done = 0;
+  for (Frame& frame : frames) {
+    progress.report(0.5 * done++ / static_cast<double>(frames.size()));
+    if (!frame.trouble.empty()) continue;
+    const std::optional<DepthFrame> found = read(frame);
+    if (!found) continue;
+    frame.measured_px = found->measured_px;
+    frame.median_depth_mm = found->median_depth_mm;
+    if (found->median_depth_mm < options.near_mm || found->median_depth_mm > options.far_mm) {
+      frame.trouble = depth_trouble(found->median_depth_mm, options);
+    } else if (found->width_mm < options.least_width_mm || found->width_mm > options.most_width_mm) {
+      frame.trouble =
+          message("what is measured is ", std::lround(found->width_mm), " mm wide, expected ", options.least_width_mm,
+                  " to ", options.most_width_mm, ": are fx and the unit of depth those of this camera?");
+    } else {
+      areas.push_back(frame.measured_px);
+      depths.push_back(frame.median_depth_mm);
+    }
+  }
+  const double area_px = median(areas), depth_mm = median(depths);
+  for (Frame& frame : frames) {
+    if (!frame.trouble.empty()) continue;
+    if (frame.measured_px < options.least_face * area_px)
+      frame.trouble =
+          message("it shows no face: ", frame.measured_px, " pixels are measured, the take's median is ", area_px);
+    else if (std::fabs(frame.median_depth_mm - depth_mm) > options.face_change_mm)
+      frame.trouble = message("it shows no face: its median depth is ", std::lround(frame.median_depth_mm),
+                              " mm, the take's ", std::lround(depth_mm));
+  }
+  DepthTakeResult result;
+  const long first = frames.front().number;
+  done = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    Frame& frame = frames[i];
+    progress.report(0.5 + 0.5 * done++ / static_cast<double>(frames.size()));
+    if (i > 0 && frame.number > frames[i - 1].number + 1) {
+      const long from = frames[i - 1].number + 1, to = frame.number - 1;
+      troubles.push_back(from == to ? message("frame ", from, " is missing")
+                                    : message("frames ", from, " to ", to, " are missing"));
+    }
+    if (frame.trouble.empty()) {
+      if (std::optional<DepthFrame> found = read(frame)) {
+        result.timeline.time_s.push_back(static_cast<double>(frame.number - first) / camera.rate_hz);
+        scans.push(std::to_string(frame.number), std::move(found->scan));
+        continue;
+      }
+    }
+    ++result.dropped;
+    troubles.push_back(message("frame ", frame.number, ": ", frame.trouble, "; left out"));
+  }
+  check(scans.count() > 0, "take ", take, ": none of its ", frames.size(), " frames is left", first_trouble(frames));
+  result.timeline.duration_s = result.timeline.time_s.back() + 1 / camera.rate_hz;
+  for (const std::string& trouble : troubles) {
+    progress.warn("take " + take + ", " + trouble);
+    result.report += "take " + take + ", " + trouble + "\n";
+  }
+  return result;
+}
+
+}  // namespace face::decode

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/decode/depth_take.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+#include "nodes/decode/list_takes.h"
+#include "tests/nodes/decode/temporary.h"
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::decode;
+
+constexpr int width = 64, height = 48;
+
+// A grey picture as PGM, of 8 or 16 bits.
+std::string pgm(const std::vector<int>& values, int most, int columns = width) {
+  std::string out = "P5\n" + std::to_string(columns) + " " + std::to_string(static_cast<int>(values.size()) / columns) +
+                    "\n" + std::to_string(most) + "\n";
+  for (const int v : values) {
+    if (most > 255) out += static_cast<char>(v / 256);
+    out += static_cast<char>(v % 256);
+  }
+  return out;
+}
+
+// An uncompressed OpenEXR file of one channel of floats (openexr.com, OpenEXR File Layout).
+std::string exr(const std::vector<float>& values) {
+  const std::string channel = "Y";
+  std::string out;
+  const auto put = [&](auto value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  const auto attribute = [&](const std::string& name, const std::string& type, std::int32_t size) {
+    out += name + '\0' + type + '\0';
+    put(size);
+  };
+  put(std::uint32_t{20000630});
+  put(std::uint32_t{2});
+  attribute("channels", "chlist", static_cast<std::int32_t>(channel.size() + 1 + 16 + 1));
+  out += channel + '\0';
+  for (const std::int32_t v : {2, 0, 1, 1}) put(v);
+  out += '\0';
+  attribute("compression", "compression", 1);
+  out += '\0';
+  for (const char* name : {"dataWindow", "displayWindow"}) {
+    attribute(name, "box2i", 16);
+    for (const std::int32_t v : {0, 0, width - 1, height - 1}) put(v);
+  }
+  attribute("lineOrder", "lineOrder", 1);
+  out += '\0';
+  attribute("pixelAspectRatio", "float", 4);
+  put(1.0f);
+  attribute("screenWindowCenter", "v2f", 8);
+  put(0.0f), put(0.0f);
+  attribute("screenWindowWidth", "float", 4);
+  put(1.0f);
+  out += '\0';
+  const std::size_t lines = out.size() + 8 * height;
+  for (int y = 0; y < height; ++y)
+    put(static_cast<std::uint64_t>(lines + static_cast<std::size_t>(y) * (8 + 4 * width)));
+  for (int y = 0; y < height; ++y) {
+    put(static_cast<std::int32_t>(y));
+    put(static_cast<std::int32_t>(4 * width));
+    for (int x = 0; x < width; ++x) put(values[static_cast<std::size_t>(y * width + x)]);
+  }
+  return out;
+}
+
+// A ball of 80 mm before the camera, in tenths of a mm; nothing beside it.
+std::vector<int> ball(int distance_mm = 900) {
+  std::vector<int> depth(width * height, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double dx = (x - 31.5) * distance_mm / 200, dy = (y - 23.5) * distance_mm / 200,
+                   left = 80 * 80 - dx * dx - dy * dy;
+      if (left > 0)
+        depth[static_cast<std::size_t>(y * width + x)] = static_cast<int>(10 * (distance_mm - std::sqrt(left)));
+    }
+  return depth;
+}
+
+const char* const camera_json =
+    R"({"fx": 200, "fy": 200, "cx": 31.5, "cy": 23.5, "width": 64, "height": 48, "depth_unit_mm": 0.1, "rate_hz": 40})";
+
+class Heard : public engine::Progress {
+ public:
+  void warn(const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
+// A recorded stream on disk.
+class Stream {
+ public:
+  explicit Stream(const std::string& camera = camera_json) { files_.write("camera.json", camera); }
+  void depth(const std::string& frame, const std::vector<int>& values) {
+    files_.write("depth/a/" + frame + ".pgm", pgm(values, 65535));
+  }
+  void picture(const std::string& frame, int grey = 90) {
+    files_.write("picture/a/" + frame + ".pgm", pgm(std::vector<int>(width * height, grey), 255));
+  }
+  void frame(int number) {
+    depth(std::to_string(number), ball());
+    picture(std::to_string(number), 50 + number);
+  }
+  void write(const std::string& name, const std::string& bytes) { files_.write(name, bytes); }
+
+  engine::File folder() const {
+    std::vector<engine::File::Entry> entries;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(files_.folder()))
+      if (entry.is_regular_file())
+        entries.push_back({std::filesystem::relative(entry.path(), files_.folder()).string(), entry.path().string()});
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return engine::File::folder(files_.folder().string(), entries);
+  }
+
+  DepthTakeResult read() {
+    ids.clear(), scans.clear(), heard.texts.clear();
+    engine::SeqWriter<DepthScan> writer([&](std::string id, DepthScan scan) {
+      ids.push_back(std::move(id));
+      scans.push_back(std::move(scan));
+    });
+    return depth_take(folder(), "a", writer, options, heard);
+  }
+
+  DepthTakeOptions options;
+  std::vector<std::string> ids;
+  std::vector<DepthScan> scans;
+  Heard heard;
+
+ private:
+  test::Temporary files_;
+};
+
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+}  // namespace
+
+TEST(DepthTake, ReadsDepthPictureAndCamera) {
+  Stream stream;
+  for (const int n : {3, 4, 5}) stream.frame(n);
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"3", "4", "5"}));
+  EXPECT_EQ(result.timeline.time_s, (std::vector<double>{0, 0.025, 0.05}));
+  EXPECT_EQ(result.report, "");
+  const DepthScan& scan = stream.scans[1];
+  EXPECT_EQ(scan.camera.focal_px, 200);
+  EXPECT_EQ(scan.picture.channels, 1);
+  EXPECT_EQ(scan.picture.pixels[0], 54);
+  const std::vector<int> depth = ball();
+  for (std::size_t i = 0; i < depth.size(); ++i) EXPECT_NEAR(scan.depth_mm[i], 0.1 * depth[i], 1e-4);
+}
+
+TEST(DepthTake, ReadsExrInMetres) {
+  Stream stream(R"({"fx": 200, "cx": 31.5, "cy": 23.5, "length_unit": "m"})");
+  std::vector<float> metres;
+  for (const int d : ball()) metres.push_back(d == 0 ? std::nanf("") : 1e-4f * static_cast<float>(d));
+  stream.write("depth/a/0.exr", exr(metres));
+  stream.picture("0");
+  stream.read();
+  ASSERT_EQ(stream.scans.size(), 1u);
+  for (std::size_t i = 0; i < metres.size(); ++i) EXPECT_NEAR(stream.scans[0].depth_mm[i], 0.1 * ball()[i], 1e-3);
+}
+
+TEST(DepthTake, ReadsOrganisedCloudsWithTheirColours) {
+  const std::vector<int> depth = ball();
+  std::string xyz, ply =
+                       "ply\nformat ascii 1.0\ncomment width 64\ncomment height 48\nelement vertex 3072\n"
+                       "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                       "property uchar green\nproperty uchar blue\nend_header\n";
+  for (int i = 0; i < width * height; ++i) {
+    const double z = 0.1 * depth[static_cast<std::size_t>(i)];
+    const std::string x = std::to_string((i % width - 31.5) * z / 200),
+                      y = std::to_string((i / width - 23.5) * z / 200);
+    xyz += x + " " + y + " " + std::to_string(z) + " 10 20 30\n";
+    // The same with y up and z towards the viewer.
+    ply += x + " " + std::to_string(-(i / width - 23.5) * z / 200) + " " + std::to_string(-z) + " 10 20 30\n";
+  }
+  for (const auto& [name, text] : {std::pair{"cloud/a/7.xyz", xyz}, std::pair{"cloud/a/7.ply", ply}}) {
+    Stream stream;
+    stream.write(name, text);
+    const DepthTakeResult result = stream.read();
+    EXPECT_EQ(result.report, "") << name;
+    ASSERT_EQ(stream.scans.size(), 1u) << name;
+    for (std::size_t i = 0; i < depth.size(); ++i)
+      EXPECT_NEAR(stream.scans[0].depth_mm[i], 0.1 * depth[i], 1e-3) << name;
+    EXPECT_EQ(stream.scans[0].picture.pixels[5], 30);
+  }
+}
+
+TEST(DepthTake, MakesPixelsSquare) {
+  // Rows twice as dense as columns.
+  Stream stream(R"({"fx": 200, "fy": 300, "cx": 31.5, "cy": 23.5, "depth_unit_mm": 0.1})");
+  std::vector<int> depth(width * height, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (std::fabs((y - 23.5) / 300.0) < 0.04 && std::fabs((x - 31.5) / 200.0) < 0.06)
+        depth[static_cast<std::size_t>(y * width + x)] = 9000;
+  stream.depth("0", depth);
+  stream.picture("0");
+  stream.read();
+  for (int y = 0; y < height; ++y)
+    EXPECT_EQ(stream.scans[0].depth_mm[static_cast<std::size_t>(y * width + 31)] > 0,
+              std::fabs((y - 23.5) / 200.0) < 0.04)
+        << y;
+}
+
+TEST(DepthTake, NamesFramesThatAreWrongAndKeepsTheRest) {
+  Stream stream;
+  for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 12}) stream.frame(n);
+  std::vector<int> swapped = ball(), small(width * height, 0);
+  for (int& d : swapped) d /= 100;
+  stream.depth("2", swapped);                                                   // cm for tenths of mm
+  stream.write("mask/a/3.pgm", pgm(std::vector<int>(width * height, 0), 255));  // empty
+  std::fill(small.begin() + 20 * width + 20, small.begin() + 20 * width + 44, 9000);
+  std::fill(small.begin() + 21 * width + 20, small.begin() + 21 * width + 44, 9000);
+  stream.depth("4", small);  // no face
+  std::vector<int> wall(width * height, 14000);
+  stream.depth("5", wall);  // a wall behind
+  stream.write("depth/a/6.pgm", "P5 nonsense");
+  stream.write("picture/a/7.pgm", pgm(std::vector<int>(20 * 20, 9), 255, 20));
+  stream.write("depth/a/notes.pgm", "x");
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"1", "8", "12"}));
+  EXPECT_EQ(result.dropped, 6);
+  EXPECT_EQ(result.timeline.time_s.back(), 11 / 40.0);
+  ASSERT_EQ(stream.heard.texts.size(), 8u);
+  EXPECT_EQ(stream.heard.texts[0], "take a, file depth/a/notes.pgm: its name is no frame number; left out");
+  EXPECT_EQ(stream.heard.texts[1],
+            "take a, frame 2: its median depth is 8.4 mm, expected 150 to 4000: is the unit of depth 100 times what is "
+            "said?; left out");
+  EXPECT_EQ(stream.heard.texts[2], "take a, frame 3: its mask is empty; left out");
+  EXPECT_EQ(stream.heard.texts[3],
+            "take a, frame 4: it shows no face: 48 pixels are measured, the take's median is 1004; left out");
+  EXPECT_EQ(stream.heard.texts[4],
+            "take a, frame 5: it shows no face: its median depth is 1400 mm, the take's 844; left out");
+  EXPECT_EQ(stream.heard.texts[5].substr(0, 23), "take a, frame 6: 6.pgm ");
+  EXPECT_EQ(stream.heard.texts[6], "take a, frame 7: its picture is 20 x 20 pixels, expected 64 x 48; left out");
+  EXPECT_EQ(stream.heard.texts[7], "take a, frames 9 to 11 are missing");
+  EXPECT_EQ(std::count(result.report.begin(), result.report.end(), '\n'), 8);
+}
+
+TEST(DepthTake, NamesWrongIntrinsics) {
+  Stream stream(R"({"fx": 20, "cx": 31.5, "cy": 23.5, "depth_unit_mm": 0.1})");
+  stream.frame(0);
+  EXPECT_EQ(
+      message_of([&] { stream.read(); }),
+      "take a: none of its 1 frames is left; frame 0: what is measured is 1242 mm wide, expected 60 to 1200: are fx "
+      "and the unit of depth those of this camera?");
+  std::string xyz;
+  for (int i = 0; i < width * height; ++i) {
+    const double z = 0.1 * ball()[static_cast<std::size_t>(i)];
+    xyz += std::to_string((i % width - 31.5) * z / 300) + " " + std::to_string((i / width - 23.5) * z / 300) + " " +
+           std::to_string(z) + " 1 2 3\n";
+  }
+  Stream cloud;
+  cloud.write("cloud/a/0.xyz", xyz);
+  EXPECT_EQ(
+      message_of([&] { cloud.read(); }),
+      "take a: none of its 1 frames is left; frame 0: the intrinsics bring the points of 0.xyz 4.2 px beside their "
+      "pixels (median), expected at most 2: fx, fy, cx and cy are not those of this camera");
+}
+
+TEST(DepthTake, RejectsACameraFileThatCannotBe) {
+  const auto message = [](const std::string& json) {
+    Stream stream(json);
+    stream.frame(0);
+    return message_of([&] { stream.read(); });
+  };
+  EXPECT_EQ(message(R"({"cx": 1, "cy": 1})"), R"(camera.json: found {"cx":1,"cy":1}, expected an object with "fx")");
+  EXPECT_EQ(message(R"({"fx": -3, "cx": 1, "cy": 1})"),
+            "camera.json: fx is -3 and fy -3 px, expected both more than 0");
+  EXPECT_EQ(
+      message(R"({"fx": 5, "cx": 1, "cy": 1, "width": 640, "height": 480})"),
+      "camera.json: a focal length of 5 px over 640 px of width is a field of view of 178.2 degrees, expected 3 to "
+      "150");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 900, "cy": 1, "width": 640, "height": 480})"),
+            "camera.json: the centre is at 900 px of width, expected a place in the picture, 0 to 639");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "distortion": [0, 0.1]})"),
+            "camera.json at /distortion: found [0,0.1], expected zeros: undistort depth and pictures first");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "depth_scale": 0.001})"),
+            "camera.json at /depth_scale: some programs mean metres per unit by it and some units per metre; expected "
+            "\"depth_unit_mm\", the mm of one unit");
+}
+
+TEST(DepthTake, RejectsAFolderWithoutCameraOrFrames) {
+  Stream stream;
+  EXPECT_NE(message_of([&] { stream.read(); }).find(": has no files of take a below depth or cloud"),
+            std::string::npos);
+  engine::SeqWriter<DepthScan> none([](std::string, DepthScan) {});
+  engine::Progress quiet;
+  EXPECT_THROW_TEXT(depth_take(engine::File::folder("/x/stream", {}), "a", none, {}, quiet),
+                    "stream: has no camera.json, which says fx, fy, cx and cy");
+}
+
+TEST(ListTakes, NamesTheFoldersOfDepthAndClouds) {
+  const engine::File folder = engine::File::folder(
+      "/x/stream",
+      {{"camera.json", ""}, {"cloud/b/1.ply", ""}, {"depth/a/1.png", ""}, {"depth/a/2.png", ""}, {"mask/c/1.png", ""}});
+  std::vector<std::string> names;
+  engine::SeqWriter<std::string> takes([&](std::string id, std::string take) {
+    EXPECT_EQ(id, take);
+    names.push_back(take);
+  });
+  list_takes(folder, takes);
+  EXPECT_EQ(names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_THROW_TEXT(list_takes(engine::File::folder("/x/stream", {{"a.png", ""}}), takes),
+                    "stream: has no files like depth/TAKE/17.png or cloud/TAKE/17.ply among its 1");
+}
