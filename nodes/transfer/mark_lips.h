@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "nodes/types/mesh.h"
+#include "nodes/types/rig.h"
+#include "nodes/types/vertex_mask.h"
+
+namespace face::transfer {
+
+struct MarkLipsOptions {
+  double middle_share = 0.5;
+  double reach_mm = 9;
+};
+
+struct MarkLipsResult {
+  Rig marked;
+  VertexMask lips;  // within reach_mm of the opening, along the surface
+};
+
+// Tells a speaking model's rig where its lips meet, so that closure can be measured: every vertex at the edge of the
+// upper lip within the middle_share of the mouth's width is paired with the vertex of the lower lip's edge nearest to
+// it in x. mesh: the reference's, whose mouth is open (lip_sides.h); the rig has its vertices. Throws where it has no
+// opening.
+MarkLipsResult mark_lips(const Rig& rig, const Mesh& mesh, const MarkLipsOptions& options = {});
+
+}  // namespace face::transfer

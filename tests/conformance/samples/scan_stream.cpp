@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes of several areas that read, write and judge recorded streams of scans.
+#include "tests/conformance/samples/area_samples.h"
+
+namespace conformance {
+namespace {
+
+const Registered scan_stream({
+    .params = {{"model.measure_leakage.components", whole(1)}},
+    .values = {{"model.measure_leakage.shape", {text("jawOpen")}}},
+    .without_sample =
+        {
+            {"decode.depth_take",
+             "it reads the folder of a recording; tests/nodes/decode/depth_take_test.cpp makes some"},
+            {"decode.list_takes",
+             "it reads the folder of a recording; tests/nodes/decode/depth_take_test.cpp makes some"},
+        },
+});
+
+}  // namespace
+}  // namespace conformance

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of articulation transfer, each on a small mesh with a known answer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "nodes/base/pose.h"
+#include "nodes/base/scan_points.h"
+#include "nodes/transfer/cylinder_lookup.h"
+#include "nodes/transfer/fit_identity.h"
+#include "nodes/transfer/judge_lips.h"
+#include "nodes/transfer/lip_sides.h"
+#include "nodes/transfer/look_up.h"
+#include "nodes/transfer/mark_lips.h"
+#include "nodes/transfer/morph.h"
+#include "nodes/transfer/move_model.h"
+#include "nodes/transfer/pick_truth.h"
+#include "nodes/transfer/project_cylinder.h"
+#include "nodes/transfer/recolour.h"
+#include "nodes/transfer/resample.h"
+#include "nodes/transfer/rest_shape.h"
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::transfer;
+
+constexpr int columns = 41, rows = 41;
+
+// A sheet of squares of 2 mm on a cylinder of 90 mm about the y axis, with an opening 18 squares wide in its middle.
+// gap_mm: how much farther than one square the lips are apart.
+Mesh sheet(double gap_mm, double radius_mm = 90) {
+  Mesh mesh;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const double phi = (c - 20) * 2.0 / 90;
+      // Rows 0 to 20 are above the opening, 21 to 40 below it; its corners stay together.
+      const double wide = std::max(0.0, 1 - std::pow((c - 20) / 9.0, 2)),
+                   near = std::max(0.0, 1 - std::abs(r - 20.5) / 12);
+      const double y = (20 - r) * 2.0 + (r <= 20 ? 0.5 : -0.5) * gap_mm * wide * near;
+      mesh.points_mm.push_back({static_cast<float>(radius_mm * std::sin(phi)), static_cast<float>(y),
+                                static_cast<float>(radius_mm * std::cos(phi))});
+      mesh.colors_srgb.push_back({0.5f, 0.5f, 0.5f});
+      mesh.uvs.push_back({(static_cast<float>(c) + 0.5f) / columns, 1 - (static_cast<float>(r) + 0.5f) / rows});
+    }
+  mesh.polygon_starts = {0};
+  for (int r = 0; r + 1 < rows; ++r)
+    for (int c = 0; c + 1 < columns; ++c) {
+      if (r == 20 && c >= 11 && c < 29) continue;  // between the lips
+      const auto at = [&](int dr, int dc) { return static_cast<std::uint32_t>((r + dr) * columns + c + dc); };
+      for (const std::uint32_t v : {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}) mesh.corners.push_back(v);
+      mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    }
+  return mesh;
+}
+
+std::uint32_t node(int row, int column) { return static_cast<std::uint32_t>(row * columns + column); }
+
+MorphableModel model_of(const Mesh& mesh) {
+  MorphableModel model;
+  model.mean = mesh;
+  for (int c = 14; c <= 26; ++c) model.inner_lips.push_back({node(20, c), node(21, c)});
+  return model;
+}
+
+Rig rig_of(const Mesh& mesh) {
+  Rig rig;
+  rig.neutral = mesh;
+  return rig;
+}
+
+ShapeModel small_model(std::size_t vertices) {
+  ShapeModel model{vertices, {}, {1}, {}, {}};
+  for (std::size_t i = 0; i < 3 * vertices; ++i) {
+    model.mean_mm.push_back(static_cast<double>(i));
+    model.modes.push_back(1);
+    model.projections.push_back(1.0 / (3.0 * static_cast<double>(vertices)));
+  }
+  return model;
+}
+
+template <class T>
+engine::SeqWriter<T> into(std::vector<T>& list) {
+  return engine::SeqWriter<T>([&list](std::string, T value) { list.push_back(std::move(value)); });
+}
+
+}  // namespace
+
+TEST(LipSides, AreToldByTheOpeningAndTheWayAroundIt) {
+  const Mesh mesh = sheet(4);
+  const MouthOpening mouth = find_mouth_opening(mesh);
+  ASSERT_TRUE(mouth.found());
+  EXPECT_EQ(mouth.right_corner % columns, 11u);
+  EXPECT_EQ(mouth.left_corner % columns, 29u);
+  for (const std::uint32_t v : mouth.upper) EXPECT_LE(v / columns, 20u);
+  for (const std::uint32_t v : mouth.lower) EXPECT_GE(v / columns, 21u);
+  const std::vector<LipSide> sides = sides_of(mesh, mesh.points_mm, mouth.upper, mouth.lower, 20, 5);
+  EXPECT_EQ(sides[node(20, 20)], LipSide::upper);
+  EXPECT_EQ(sides[node(21, 20)], LipSide::lower);
+  EXPECT_EQ(sides[node(15, 20)], LipSide::upper);
+  EXPECT_EQ(sides[node(20, 4)], LipSide::none);  // cheek beside the corner
+  EXPECT_EQ(sides[node(0, 20)], LipSide::none);  // too far
+}
+
+TEST(LipSides, FindNoMouthInAClosedSheet) {
+  Mesh mesh = sheet(4);
+  mesh.corners.clear();
+  mesh.polygon_starts = {0};
+  for (int r = 0; r + 1 < rows; ++r)
+    for (int c = 0; c + 1 < columns; ++c) {
+      for (const std::uint32_t v : {node(r, c), node(r + 1, c), node(r + 1, c + 1), node(r, c + 1)})
+        mesh.corners.push_back(v);
+      mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    }
+  EXPECT_FALSE(find_mouth_opening(mesh).found());
+  EXPECT_THROW_TEXT(mark_lips(rig_of(mesh), mesh),
+                    "the mesh of 1681 points has no opening of a mouth, expected a reference whose lips are apart");
+}
+
+TEST(ProjectCylinder, UnrollsACylinderToOneRadius) {
+  const Mesh mesh = sheet(0);
+  const ProjectCylinderResult result = project_cylinder(mesh, {mesh.points_mm}, {});
+  std::size_t measured = 0;
+  for (const float r : result.scan.radius_mm)
+    if (r > 0) {
+      ++measured;
+      EXPECT_NEAR(r, 90, 0.05);  // flat squares of 2 mm lie a little inside
+    }
+  EXPECT_GT(measured, 3000u);
+  const auto surface = surface_at(result.scan, 10, 0.1);
+  ASSERT_TRUE(surface);
+  EXPECT_NEAR(surface->normal[0], std::sin(0.1), 0.02);
+  EXPECT_NEAR(surface->normal[2], std::cos(0.1), 0.02);
+  EXPECT_NEAR(surface->point_mm[0], 90 * std::sin(0.1), 0.1);
+  EXPECT_NEAR(surface->color_srgb[1], 0.5, 0.01);
+  EXPECT_FALSE(surface_at(result.scan, 10, 2));
+  EXPECT_THROW_TEXT(project_cylinder(mesh, {}, {}), "shape has 0 points, the mesh 1681");
+}
+
+TEST(FitIdentity, FindsMotionAndCoefficientOfASmallModel) {
+  // A bumpy cylinder whose one mode makes the bump higher.
+  Mesh mesh = sheet(0);
+  MorphableModel model = model_of(mesh);
+  model.identity.names = {"bump"};
+  model.identity.sigmas = {1};
+  for (std::size_t v = 0; v < mesh.points_mm.size(); ++v) {
+    const Vec3f p = mesh.points_mm[v];
+    const float bump = std::exp(-(std::pow(p[0] - 8, 2.0f) + std::pow(p[1] - 20, 2.0f)) / 120);
+    const float other = std::exp(-(std::pow(p[0] + 15, 2.0f) + std::pow(p[1] + 10, 2.0f)) / 200);
+    model.mean.points_mm[v] = {p[0], p[1], p[2] + 8 * bump + 6 * other};
+    model.identity.modes.push_back({0, 0, 5 * bump});
+  }
+  std::vector<Vec3f> points = model.mean.points_mm;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const Vec3f p = {points[v][0], points[v][1], points[v][2] + 0.7f * model.identity.modes[v][2]};
+    const float c = std::cos(0.05f), s = std::sin(0.05f);
+    points[v] = {c * p[0] + s * p[2] + 1, p[1] - 2, -s * p[0] + c * p[2] + 3};
+  }
+  const ProjectCylinderResult cylinder = project_cylinder(mesh, {points}, {}, {.columns = 1440, .step_mm = 0.4});
+  const Landmarks marks{[&] {
+    std::vector<Landmark> list;
+    for (const std::uint32_t v : {node(5, 5), node(5, 35), node(35, 20)}) {
+      const CylinderPlace place = cylinder_place({}, points[v]);
+      list.push_back({"vertex_" + std::to_string(v),
+                      place.phi_rad / static_cast<double>(cylinder.scan.phi_step_rad) + 719.5,
+                      (static_cast<double>(cylinder.scan.top_mm) - place.h_mm) / 0.4, true});
+    }
+    return list;
+  }()};
+  const FitIdentityResult fit = fit_identity(model, cylinder.scan, &marks);
+  ASSERT_TRUE(fit.solved);
+  EXPECT_NEAR(fit.coefficients.values[0], 0.7, 0.03);
+  EXPECT_NEAR(fit.scan_from_model.translation_mm[1], -2, 0.1);
+  EXPECT_NEAR(fit.scan_from_model.rotation[2], std::sin(0.05), 0.005);
+  for (std::size_t v = 0; v < points.size(); v += 7)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fit.points.points_mm[v][k], points[v][k], 0.35) << v;
+}
+
+TEST(FitIdentity, ReportsAScanWithoutAFaceAsUnsolved) {
+  CylinderScan empty;
+  empty.picture = {100, 50, 3, std::vector<std::uint8_t>(15000, 0)};
+  empty.radius_mm.assign(5000, 0);
+  EXPECT_FALSE(fit_identity(model_of(sheet(0)), empty, nullptr).solved);
+  empty.radius_mm.pop_back();
+  EXPECT_THROW_TEXT(fit_identity(model_of(sheet(0)), empty, nullptr),
+                    "scan has 4999 radii, its picture is 100 x 50 pixels");
+}
+
+TEST(LookUp, KeepsTouchingLipsApart) {
+  // The speaking mesh is the model itself, its lips shut and pushed 0.7 mm past each other by noise.
+  const Mesh open = sheet(4);
+  Mesh shut = sheet(0);
+  const MorphableModel model = model_of(shut);
+  MeshPoints shape{shut.points_mm};
+  for (int c = 12; c < 29; ++c) {
+    shape.points_mm[node(20, c)][1] -= 2.7f;
+    shape.points_mm[node(21, c)][1] += 0.7f;
+  }
+  const SurfaceMap places = look_up(model, {shut.points_mm}, open, shape, {});
+  const SurfaceMap truth = look_up(model, {shut.points_mm}, shut, {shut.points_mm}, {});
+  for (int c = 14; c <= 26; ++c)
+    for (const int r : {20, 21}) {
+      const std::int32_t t = places.triangle[node(r, c)];
+      ASSERT_GE(t, 0);
+      const std::uint32_t corner = shut.corners[static_cast<std::size_t>(t / 2) * 4];
+      EXPECT_EQ(corner / columns <= 20, r == 20) << "row " << r << " column " << c;
+    }
+  const Table table = judge_lips(places, truth, rig_of(shut));
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"vertices", "wrong", "lost"}));
+  EXPECT_THROW_TEXT(look_up(model, {}, open, shape, {}), "fitted has 0 points, the model 1681");
+}
+
+TEST(JudgeLips, CountsVerticesThatWereFoundOnTheOtherLip) {
+  const Mesh mesh = sheet(0);
+  Rig rig = rig_of(mesh);
+  rig.inner_lips = model_of(mesh).inner_lips;
+  // Fan triangles are two per square; the square above and the one below the opening at column 20.
+  const auto square = [&](int row, int column) {
+    for (std::size_t f = 0; f < mesh.polygon_count(); ++f)
+      if (mesh.corners[mesh.polygon_starts[f]] == node(row, column)) return static_cast<std::int32_t>(2 * f);
+    return -1;
+  };
+  const SurfaceMap truth{
+      3, 1, {square(18, 20), square(22, 20), square(18, 22)}, std::vector<Vec2f>(3, Vec2f{0.3f, 0.3f})};
+  SurfaceMap found = truth;
+  found.triangle[0] = square(22, 20);
+  found.triangle[2] = -1;
+  EXPECT_EQ(judge_lips(found, truth, rig).rows[0].values, (std::vector<double>{3, 1, 1}));
+  EXPECT_EQ(judge_lips(truth, truth, rig).rows[0].values, (std::vector<double>{3, 0, 0}));
+}
+
+TEST(Resample, TakesPointsAndColoursAndFillsInBetween) {
+  const Mesh mesh = sheet(0);
+  Rig head = rig_of(mesh);
+  for (Vec3f& p : head.neutral.points_mm) p[2] += 5;
+  for (Vec3f& c : head.neutral.colors_srgb) c = {0.8f, 0.4f, 0.2f};
+  SurfaceMap places = look_up(model_of(mesh), {mesh.points_mm}, mesh, {mesh.points_mm}, {});
+  for (const int c : {7, 8, 9}) places.triangle[node(8, c)] = -1;
+  RigidMotion up;
+  up.translation_mm = {0, 2, 0};
+  const MeshPoints points = resample(places, head, nullptr, &up, mesh, {mesh.points_mm});
+  for (std::size_t v = 0; v < points.points_mm.size(); ++v) {
+    EXPECT_NEAR(points.points_mm[v][1], mesh.points_mm[v][1] + 2, 1e-3) << v;
+    EXPECT_NEAR(points.points_mm[v][2], mesh.points_mm[v][2] + 5, 1e-3) << v;
+  }
+  const Mesh coloured = resample_colours(places, head, mesh);
+  EXPECT_NEAR(coloured.colors_srgb[node(8, 8)][0], 0.8f, 1e-4);
+  EXPECT_EQ(coloured.points_mm, mesh.points_mm);
+  EXPECT_THROW_TEXT(resample(places, head, nullptr, nullptr, mesh, {}), "shape has 0 points, the mesh 1681");
+}
+
+TEST(ResampleScan, TakesTheScansOwnShape) {
+  // The scan is 3 mm farther out than the model that was fitted to it.
+  const Mesh mesh = sheet(0);
+  CylinderScan scan;
+  scan.picture = {512, 200, 3, std::vector<std::uint8_t>(512 * 200 * 3, 100)};
+  scan.radius_mm.assign(512 * 200, 93);
+  scan.top_mm = 60;
+  const SurfaceMap places = look_up(model_of(mesh), {mesh.points_mm}, mesh, {mesh.points_mm}, {});
+  const ResampleScanResult result =
+      resample_scan(places, rig_of(mesh), {mesh.points_mm}, scan, nullptr, nullptr, mesh, {mesh.points_mm});
+  for (const Vec3f& p : result.shape.points_mm) EXPECT_NEAR(std::hypot(p[0], p[2]), 93, 0.01);
+  EXPECT_NEAR(result.mesh.colors_srgb[5][0], 100 / 255.0, 1e-4);
+}
+
+TEST(ScanPlaces, ReadsTheTruthAtEveryVertexPixel) {
+  const Mesh mesh = sheet(0);
+  SurfaceMap truth{columns, rows, {}, {}};
+  for (int i = 0; i < columns * rows; ++i) {
+    truth.triangle.push_back(i);
+    truth.weights.push_back({0.25f, static_cast<float>(i)});
+  }
+  const SurfaceMap places = scan_places(truth, mesh);
+  for (std::size_t v = 0; v < places.triangle.size(); ++v) EXPECT_EQ(places.triangle[v], static_cast<int>(v));
+}
+
+TEST(RestShape, IsTheMeanOfSilence) {
+  std::vector<MeshPoints> shapes;
+  for (int t = 0; t < 10; ++t) shapes.push_back({{{static_cast<float>(t), 0, 0}}});
+  Timeline timeline;
+  for (int t = 0; t < 10; ++t) timeline.time_s.push_back(0.1 * t);
+  timeline.duration_s = 1;
+  const Phones phones{{{"SIL", 0, 0.45, "", 0}, {"AA", 0.45, 1, "a", 0}}, 1, true};
+  EXPECT_NEAR(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, nullptr).points_mm[0][0], 2, 1e-6);
+  const engine::Seq<bool> known({true, false, true, true, true, true, true, true, true, true});
+  EXPECT_NEAR(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, &known).points_mm[0][0], 2.5, 1e-6);
+  EXPECT_THROW_TEXT(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, nullptr, {.label = "ZH"}),
+                    "no frame lies within a segment of \"ZH\" of 2 segments");
+}
+
+TEST(MoveModel, KeepsDisplacementsAndChangesTheFace) {
+  const ShapeModel model = small_model(2);
+  const ShapeModel moved = move_model(model, {{{0, 0, 0}, {1, 1, 1}}}, {{{0, 0, 2}, {1, 1, 1}}});
+  EXPECT_EQ(moved.mean_mm, (std::vector<double>{0, 1, 4, 3, 4, 5}));
+  EXPECT_EQ(moved.modes, model.modes);
+  EXPECT_THROW_TEXT(move_model(model, {{{0, 0, 0}}}, {{{0, 0, 0}}}), "from has 1 points, to 1, the model 2");
+}
+
+TEST(RestModel, CountsCoefficientsFromTheNeutralFace) {
+  ShapeModel model = small_model(2);
+  const MeshPoints rest{{{3, 4, 5}, {6, 7, 8}}};  // the mean and three of the mode
+  const ShapeModel rested = rest_model(model, rest);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(rested.mean_mm[i], static_cast<double>(i) + 3, 1e-9);
+}
+
+TEST(FreezeEdges, FadesModesToTheOutlineAndNotToTheLips) {
+  const Mesh mesh = sheet(4);
+  const ShapeModel frozen = freeze_edges(small_model(mesh.points_mm.size()), mesh, {.width_mm = 10});
+  const auto mode = [&](std::uint32_t v) { return frozen.modes[3 * v]; };
+  EXPECT_EQ(mode(node(0, 7)), 0);
+  EXPECT_NEAR(mode(node(2, 20)), 0.352, 0.05);  // 4 of 10 mm
+  EXPECT_EQ(mode(node(20, 20)), 1);
+  EXPECT_EQ(mode(node(21, 18)), 1);
+}
+
+TEST(Recolour, ReplacesTheTextureOrKeepsItsLight) {
+  Mesh mesh = sheet(0), colours = mesh;
+  for (Vec3f& c : colours.colors_srgb) c = {0.6f, 0.3f, 0.3f};
+  EXPECT_EQ(recolour(mesh, colours).colors_srgb[3], colours.colors_srgb[3]);
+  const Vec3f kept = recolour(mesh, colours, {.recorded = 1}).colors_srgb[3];
+  EXPECT_NEAR(0.299f * kept[0] + 0.587f * kept[1] + 0.114f * kept[2], 0.5, 1e-4);
+  EXPECT_NEAR(kept[0] / kept[1], 2, 1e-4);
+  colours.colors_srgb[node(10, 10)] = {1, 1, 1};
+  EXPECT_LT(recolour(mesh, colours, {.smooth_mm = 4}).colors_srgb[node(10, 10)][1], 0.45f);
+  colours.colors_srgb.clear();
+  EXPECT_THROW_TEXT(recolour(mesh, colours), "mesh has 1681 colours and colours 0, expected 1681, one per vertex");
+}
+
+TEST(Morph, GoesFromOneSpeakingFaceToTheOther) {
+  Rig from, to;
+  from.neutral.points_mm = {{0, 0, 0}};
+  to.neutral.points_mm = {{10, 0, 0}};
+  from.neutral.colors_srgb = {{0, 0, 0}};
+  to.neutral.colors_srgb = {{1, 1, 1}};
+  from.shapes = to.shapes = {{"open", {0}, {{0, 1, 0}}}};
+  std::vector<Rig> heads;
+  std::vector<Weights> poses;
+  auto heads_writer = into(heads);
+  auto poses_writer = into(poses);
+  morph(from, to, engine::Seq<Weights>(std::vector<Weights>(5, Weights{{2}})), heads_writer, poses_writer);
+  ASSERT_EQ(heads.size(), 5u);
+  const auto x = [&](std::size_t t) { return pose_points(heads[t], poses[t])[0][0]; };
+  EXPECT_EQ(x(0), 0);
+  EXPECT_NEAR(x(2), 5, 1e-5);
+  EXPECT_EQ(x(4), 10);
+  EXPECT_EQ(pose_points(heads[2], poses[2])[0][1], 2);
+  EXPECT_NEAR(heads[2].neutral.colors_srgb[0][0], 0.5, 1e-6);
+  EXPECT_EQ(heads[4].neutral.points_mm[0], from.neutral.points_mm[0]);  // what a camera is set by stays
+}
+
+TEST(MarkLips, PairsTheEdgesAndMarksTheLips) {
+  const Mesh mesh = sheet(4);
+  const MarkLipsResult result = mark_lips(rig_of(mesh), mesh);
+  EXPECT_GE(result.marked.inner_lips.size(), 8u);
+  for (const LipPair& pair : result.marked.inner_lips) {
+    EXPECT_EQ(pair.upper / columns, 20u);
+    EXPECT_EQ(pair.lower, pair.upper + columns);
+  }
+  EXPECT_EQ(result.lips.on[node(20, 20)], 1);
+  EXPECT_EQ(result.lips.on[node(2, 20)], 0);
+}
+
+TEST(PickTruth, FindsTheReferenceById) {
+  const engine::Seq<SurfaceMap> truths({SurfaceMap{1, 1, {4}, {{0, 0}}}, SurfaceMap{1, 1, {9}, {{0, 0}}}},
+                                       {"a.1", "a.2"});
+  RigidMotion second;
+  second.translation_mm = {1, 2, 3};
+  const engine::Seq<RigidMotion> motions({RigidMotion{}, second}, {"a.1", "a.2"});
+  const PickTruthResult result = pick_truth(truths, motions, "a.2");
+  EXPECT_EQ(result.truth.triangle[0], 9);
+  EXPECT_EQ(result.world_from_head.translation_mm[2], 3);
+  EXPECT_THROW_TEXT(pick_truth(truths, motions, "b.1"), "frame is \"b.1\", which none of 2 has");
+}
