@@ -34,6 +34,39 @@ std::array<double, 2> between(int width, int height, double x_px, double y_px, c
   return sum;
 }
 
+// Places that no fixed point was found for (a flow that tears leaves holes) become means of those about them, from the
+// edges of the holes inwards.
+void fill_holes(std::vector<Vec2f>& inverse, std::vector<std::uint8_t>& found, int width, int height) {
+  std::vector<std::size_t> open;
+  for (std::size_t p = 0; p < found.size(); ++p)
+    if (!found[p]) open.push_back(p);
+  while (!open.empty()) {
+    std::vector<std::size_t> left, filled;
+    std::vector<Vec2f> values;
+    for (const std::size_t p : open) {
+      const int x = static_cast<int>(p) % width, y = static_cast<int>(p) / width;
+      double sum[2] = {0, 0}, count = 0;
+      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
+          const auto q = static_cast<std::size_t>(j * width + i);
+          if (!found[q]) continue;
+          // The displacement goes on, not the place.
+          sum[0] += static_cast<double>(inverse[q][0]) - i + x, sum[1] += static_cast<double>(inverse[q][1]) - j + y;
+          ++count;
+        }
+      if (count == 0) {
+        left.push_back(p);
+        continue;
+      }
+      filled.push_back(p);
+      values.push_back({static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count)});
+    }
+    if (filled.empty()) return;
+    for (std::size_t i = 0; i < filled.size(); ++i) inverse[filled[i]] = values[i], found[filled[i]] = 1;
+    open = std::move(left);
+  }
+}
+
 }  // namespace
 
 void check_model(const Mmm& model) {
@@ -73,6 +106,7 @@ std::vector<Vec2f> invert_flow(const std::vector<Vec2f>& flow, int width, int he
     return std::array<double, 2>{static_cast<double>(flow[p][0]), static_cast<double>(flow[p][1])};
   };
   std::vector<Vec2f> inverse(flow.size());
+  std::vector<std::uint8_t> found(flow.size(), 1);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::size_t p = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -95,7 +129,9 @@ std::vector<Vec2f> invert_flow(const std::vector<Vec2f>& flow, int width, int he
           step /= 2;
       }
       inverse[p] = {static_cast<float>(sx), static_cast<float>(sy)};
+      found[p] = length <= 0.5;
     }
+  fill_holes(inverse, found, width, height);
   return inverse;
 }
 

@@ -19,7 +19,8 @@ std::vector<Vec2f> follow_mouth(const Image& reference, const Image& image);
 std::vector<Vec2f> mix_flows(const Mmm& model, const float* alpha);
 
 // Where every pixel of a warped picture comes from in the reference: the solution x of x + flow(x) = pixel, by
-// fixed-point steps that are halved where they do not help. Where a flow folds (lips that close) one of the sheets.
+// fixed-point steps that are halved where they do not help. Where a flow folds (lips that close) one of the sheets;
+// where it tears (lips that part) what lies about the hole goes on into it.
 std::vector<Vec2f> invert_flow(const std::vector<Vec2f>& flow, int width, int height);
 
 // Prototype i brought to the shape whose inverse is given (Ezzat et al. 2002, section 4.4: W(I_i, W(C - C_i, C_i))),
