@@ -2,6 +2,7 @@
 #include "nodes/track/find_rest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 
 namespace face::track {
 namespace {
+
+bool is_lip(const Landmark& point) { return point.name.starts_with("lip_"); }
 
 double y_of(const Landmarks& landmarks, int lip) {
   const std::string name = "lip_" + std::to_string(lip);
@@ -24,6 +27,48 @@ double lip_height(const Landmarks& landmarks) {
   return height;
 }
 
+// A frame whose lips are all seen.
+struct Mouth {
+  std::size_t frame = 0;
+  double height_px = 0;
+  std::vector<double> lips_px = {};  // x, y of each
+  double speed_px = 0;
+};
+
+double distance_px(const Mouth& a, const Mouth& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.lips_px.size(); ++i) sum += std::pow(a.lips_px[i] - b.lips_px[i], 2);
+  return std::sqrt(2 * sum / static_cast<double>(std::max<std::size_t>(1, a.lips_px.size())));
+}
+
+std::vector<Mouth> find_mouths(const engine::Seq<Landmarks>& landmarks) {
+  std::vector<Mouth> mouths;
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    const auto here = landmarks.at(i);
+    Mouth mouth{i, lip_height(*here)};
+    bool seen = true;
+    for (const Landmark& point : here->points) {
+      if (!is_lip(point)) continue;
+      seen = seen && point.valid;
+      mouth.lips_px.push_back(point.x_px);
+      mouth.lips_px.push_back(point.y_px);
+    }
+    if (seen) mouths.push_back(std::move(mouth));
+  }
+  for (std::size_t i = 0; i < mouths.size(); ++i) {
+    constexpr std::size_t reach = 2;
+    double sum = 0, count = 0;
+    for (std::size_t j = i < reach ? 0 : i - reach; j <= std::min(i + reach, mouths.size() - 1); ++j) {
+      const std::size_t apart = std::max(mouths[i].frame, mouths[j].frame) - std::min(mouths[i].frame, mouths[j].frame);
+      if (i == j || apart > reach || mouths[i].lips_px.size() != mouths[j].lips_px.size()) continue;
+      sum += distance_px(mouths[i], mouths[j]);
+      ++count;
+    }
+    mouths[i].speed_px = count > 0 ? sum / count : 1e9;
+  }
+  return mouths;
+}
+
 }  // namespace
 
 Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptions& options) {
@@ -31,27 +76,43 @@ Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptio
   check(options.from_share >= 0 && options.from_share <= options.to_share && options.to_share <= 1,
         "from_share and to_share are ", options.from_share, " and ", options.to_share,
         ", expected two of 0 to 1 in this order");
-  std::vector<std::pair<double, std::size_t>> heights;
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    const auto here = landmarks.at(i);
-    if (std::all_of(here->points.begin(), here->points.end(), [](const Landmark& point) { return point.valid; }))
-      heights.emplace_back(lip_height(*here), i);
-  }
-  Landmarks rest = *landmarks.at(heights.empty() ? 0 : heights[0].second);
-  if (heights.empty()) return rest;
-  std::sort(heights.begin(), heights.end());
-  const auto last = static_cast<double>(heights.size() - 1);
+  std::vector<Mouth> mouths = find_mouths(landmarks);
+  Landmarks rest = *landmarks.at(mouths.empty() ? 0 : mouths[0].frame);
+  if (mouths.empty()) return rest;
+  std::stable_sort(mouths.begin(), mouths.end(),
+                   [](const Mouth& a, const Mouth& b) { return a.height_px < b.height_px; });
+  const auto last = static_cast<double>(mouths.size() - 1);
   const auto begin = static_cast<std::size_t>(options.from_share * last + 0.5);
   const auto end = static_cast<std::size_t>(options.to_share * last + 0.5) + 1;
-  for (Landmark& point : rest.points) point.x_px = point.y_px = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const auto here = landmarks.at(heights[i].second);
-    check(here->points.size() == rest.points.size(), "frame ", landmarks.id(heights[i].second), " has ",
-          here->points.size(), " points, expected ", rest.points.size());
+  const auto kept = std::max<std::size_t>(
+      1, static_cast<std::size_t>(options.still_share * static_cast<double>(mouths.size()) + 0.5));
+  mouths = {mouths.begin() + static_cast<std::ptrdiff_t>(begin), mouths.begin() + static_cast<std::ptrdiff_t>(end)};
+  std::stable_sort(mouths.begin(), mouths.end(),
+                   [](const Mouth& a, const Mouth& b) { return a.speed_px < b.speed_px; });
+  if (mouths.size() > kept) mouths.resize(kept);
+
+  struct Sum {
+    double x_px = 0, y_px = 0, count = 0;
+  };
+  std::vector<Sum> seen(rest.points.size()), all(rest.points.size());
+  for (const Mouth& mouth : mouths) {
+    const auto here = landmarks.at(mouth.frame);
+    check(here->points.size() == rest.points.size(), "frame ", landmarks.id(mouth.frame), " has ", here->points.size(),
+          " points, expected ", rest.points.size());
     for (std::size_t p = 0; p < rest.points.size(); ++p) {
-      rest.points[p].x_px += here->points[p].x_px / static_cast<double>(end - begin);
-      rest.points[p].y_px += here->points[p].y_px / static_cast<double>(end - begin);
+      const Landmark& point = here->points[p];
+      for (std::vector<Sum>* sums : {&seen, &all}) {
+        if (sums == &seen && !point.valid) continue;
+        (*sums)[p].x_px += point.x_px;
+        (*sums)[p].y_px += point.y_px;
+        ++(*sums)[p].count;
+      }
     }
+  }
+  for (std::size_t p = 0; p < rest.points.size(); ++p) {
+    const Sum& sum = seen[p].count > 0 ? seen[p] : all[p];
+    rest.points[p].x_px = sum.x_px / sum.count;
+    rest.points[p].y_px = sum.y_px / sum.count;
   }
   return rest;
 }

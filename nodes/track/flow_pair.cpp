@@ -14,7 +14,27 @@ struct FlowPair::Pyramids {
   int width = 0, height = 0;
 
   std::vector<Sighting> follow(const std::vector<cv::Mat>& from, const std::vector<cv::Mat>& to,
-                               const std::vector<Sighting>& points, const std::vector<Sighting>& guesses) const {
+                               const std::vector<Sighting>& points, const std::vector<Sighting>& guesses,
+                               const std::vector<int>& sides_px) const {
+    std::vector<Sighting> out = follow(from, to, points, guesses, window.width, levels);
+    for (int side = 3; side < window.width; side += 2) {
+      std::vector<std::size_t> chosen;
+      std::vector<Sighting> some, guess;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (sides_px[i] == side && is_seen(out[i])) {
+          chosen.push_back(i);
+          some.push_back(points[i]);
+          guess.push_back(out[i]);
+        }
+      const std::vector<Sighting> fine = follow(from, to, some, guess, side, 0);
+      for (std::size_t k = 0; k < chosen.size(); ++k) out[chosen[k]] = fine[k];
+    }
+    return out;
+  }
+
+  std::vector<Sighting> follow(const std::vector<cv::Mat>& from, const std::vector<cv::Mat>& to,
+                               const std::vector<Sighting>& points, const std::vector<Sighting>& guesses, int side_px,
+                               int top) const {
     if (points.empty()) return {};
     std::vector<cv::Point2f> a, b;
     for (const Sighting& p : points) a.emplace_back(static_cast<float>(p.x_px), static_cast<float>(p.y_px));
@@ -22,7 +42,8 @@ struct FlowPair::Pyramids {
     std::vector<std::uint8_t> found;
     std::vector<float> error;
     const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.001);
-    cv::calcOpticalFlowPyrLK(from, to, a, b, found, error, window, levels, until, cv::OPTFLOW_USE_INITIAL_FLOW);
+    cv::calcOpticalFlowPyrLK(from, to, a, b, found, error, {side_px, side_px}, top, until,
+                             cv::OPTFLOW_USE_INITIAL_FLOW);
     std::vector<Sighting> out = points;
     for (std::size_t i = 0; i < out.size(); ++i) {
       out[i].x_px = static_cast<double>(b[i].x);
@@ -50,12 +71,14 @@ FlowPair::FlowPair(const Grey& before, const Grey& now, int side_px, int levels)
 
 FlowPair::~FlowPair() = default;
 
-std::vector<Sighting> FlowPair::forth(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses) const {
-  return pyramids_->follow(pyramids_->before, pyramids_->now, points, guesses);
+std::vector<Sighting> FlowPair::forth(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses,
+                                      const std::vector<int>& sides_px) const {
+  return pyramids_->follow(pyramids_->before, pyramids_->now, points, guesses, sides_px);
 }
 
-std::vector<Sighting> FlowPair::back(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses) const {
-  return pyramids_->follow(pyramids_->now, pyramids_->before, points, guesses);
+std::vector<Sighting> FlowPair::back(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses,
+                                     const std::vector<int>& sides_px) const {
+  return pyramids_->follow(pyramids_->now, pyramids_->before, points, guesses, sides_px);
 }
 
 void add_information(const Grey& grey, int side_px, Sighting& place) {

@@ -18,9 +18,12 @@ class FlowPair {
   ~FlowPair();
 
   // Points of the earlier frame in the later one, from guesses; and back. As surely seen as the given points are; those
-  // that were not found, or outside the frame, not at all.
-  std::vector<Sighting> forth(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses) const;
-  std::vector<Sighting> back(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses) const;
+  // that were not found, or outside the frame, not at all. sides_px: of each point's own patch: those smaller than the
+  // constructor's side are followed with that first, and from there with their own.
+  std::vector<Sighting> forth(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses,
+                              const std::vector<int>& sides_px) const;
+  std::vector<Sighting> back(const std::vector<Sighting>& points, const std::vector<Sighting>& guesses,
+                             const std::vector<int>& sides_px) const;
 
  private:
   struct Pyramids;

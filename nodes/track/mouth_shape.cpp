@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 
 #include "nodes/base/check.h"
 
@@ -30,7 +31,8 @@ std::vector<std::size_t> find_outline(const Landmarks& start, const std::vector<
   return outline;
 }
 
-std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::vector<std::size_t>& outline) {
+std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::vector<std::size_t>& outline,
+                                             const std::vector<std::size_t>& jaw_line) {
   if (outline.empty()) return {};
   const std::size_t size = 2 * start.points.size(), half = outline.size() / 2;
   const auto at = [&](std::size_t k) {
@@ -65,7 +67,31 @@ std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::
   add(0.06 * width, [&](double u, int upper) { return Vector2((upper < 0 ? u * hump(u) : 0.0) * down); });
   add(0.04 * width, [&](double u, int upper) { return Vector2((upper > 0 ? u * hump(u) : 0.0) * down); });
   add(0.06 * width, [&](double u, int) { return Vector2(u * u * right); });
+  if (jaw_line.empty()) return modes;
+  constexpr std::size_t lower_lip = 4;  // of the modes above
+  const auto move_jaw = [&](std::vector<double>& mode, auto&& offset) {
+    for (std::size_t k = 0; k < jaw_line.size(); ++k) {
+      const double u = jaw_line.size() > 1 ? 2.0 * static_cast<double>(k) / (jaw_line.size() - 1.0) - 1 : 0;
+      const Vector2 move = offset(u);
+      mode[2 * jaw_line[k]] = move.x();
+      mode[2 * jaw_line[k] + 1] = move.y();
+    }
+  };
+  move_jaw(modes[lower_lip], [&](double) { return Vector2(0.8 * 0.25 * width * down); });
+  const auto add_jaw = [&](auto&& offset) {
+    modes.emplace_back(size, 0.0);
+    move_jaw(modes.back(), offset);
+  };
+  add_jaw([&](double) { return Vector2(0.05 * width * right); });
+  add_jaw([&](double) { return Vector2(0.12 * width * down); });
+  add_jaw([&](double u) { return Vector2(0.03 * width * u * right); });
+  add_jaw([&](double u) { return Vector2(0.03 * width * u * down); });
   return modes;
+}
+
+double mouth_width_px(const Landmarks& start, const std::vector<std::size_t>& outline) {
+  const Landmark &a = start.points[outline[0]], &b = start.points[outline[outline.size() / 2]];
+  return std::hypot(b.x_px - a.x_px, b.y_px - a.y_px);
 }
 
 }  // namespace face::track

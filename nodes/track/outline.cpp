@@ -148,7 +148,8 @@ struct Fit {
 };
 
 // How unlike a profile is: for lips the RMS difference over the wanted one's deviation; for seams, which are darker
-// when the mouth is open, the root of the part that no gain and offset explains.
+// when the mouth is open, the root of the part that no offset and no gain that does not fade them explains: what is
+// hardly dark is skin in a shade.
 double unlikeness(const std::vector<double>& wanted, const double* seen, bool any_gain) {
   double weights = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (int s = 0; s < samples; ++s) {
@@ -164,7 +165,9 @@ double unlikeness(const std::vector<double>& wanted, const double* seen, bool an
   if (aa < 1e-9) return 1;
   if (!any_gain) return std::sqrt(std::max(0.0, (aa + bb - 2 * ab + (a - b) * (a - b)) / aa));
   if (bb < 1e-9 || ab <= 0) return 1;
-  return std::sqrt(std::max(0.0, 1 - ab * ab / (aa * bb)));
+  constexpr double least_gain = 0.7;
+  const double gain = std::max(least_gain, ab / aa);
+  return std::sqrt(std::clamp((bb - 2 * gain * ab + gain * gain * aa) / std::max(bb, gain * gain * aa), 0.0, 1.0));
 }
 
 // How likely a shift is. Chosen on the marks of tests/data/grid_marks; the errors there change by less than a tenth

@@ -63,6 +63,34 @@ std::vector<float> cut_patch(const Grey& grey, double x_px, double y_px, int sid
   return patch;
 }
 
+std::vector<float> middle_of(const std::vector<float>& patch, int patch_side_px, int side_px) {
+  const int margin = (patch_side_px - side_px) / 2;
+  std::vector<float> middle;
+  for (int y = 0; y < side_px; ++y)
+    for (int x = 0; x < side_px; ++x)
+      middle.push_back(patch[static_cast<std::size_t>((y + margin) * patch_side_px + x + margin)]);
+  return middle;
+}
+
+int telling_side_px(const std::vector<float>& patch, int patch_side_px, int least_px) {
+  constexpr double least_texture = 12, least_roundness = 0.2;  // smaller eigenvalue; its share of the larger one
+  const auto at = [&](int x, int y) {
+    return static_cast<double>(patch[static_cast<std::size_t>(y * patch_side_px + x)]);
+  };
+  for (int side = least_px; side < patch_side_px; side += 2) {
+    const int margin = (patch_side_px - side) / 2;
+    double xx = 0, xy = 0, yy = 0;
+    for (int y = margin; y < margin + side; ++y)
+      for (int x = margin; x < margin + side; ++x) {
+        const double gx = (at(x + 1, y) - at(x - 1, y)) / 2, gy = (at(x, y + 1) - at(x, y - 1)) / 2;
+        xx += gx * gx / (side * side), xy += gx * gy / (side * side), yy += gy * gy / (side * side);
+      }
+    const double mean = (xx + yy) / 2, spread = std::hypot((xx - yy) / 2, xy);
+    if (mean - spread >= least_texture && mean - spread >= least_roundness * (mean + spread)) return side;
+  }
+  return patch_side_px;
+}
+
 PatchMatch align_patch(const std::vector<float>& patch, int side_px, const Grey& grey, double x_px, double y_px) {
   PatchMatch match{x_px, y_px, 0, false};
   std::vector<float> wanted = patch;

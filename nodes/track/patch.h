@@ -23,6 +23,15 @@ Grey grey_of(const Image& image);
 // The square of side_px about a point, bilinear. side_px x side_px.
 std::vector<float> cut_patch(const Grey& grey, double x_px, double y_px, int side_px);
 
+// The middle of a square patch, side_px x side_px of it; both sides odd.
+std::vector<float> middle_of(const std::vector<float>& patch, int patch_side_px, int side_px);
+
+// The smallest odd side, from least_px on, of a square in the middle of a patch that tells its place in every direction
+// as surely as a dot painted on skin does; the whole patch's where none does (Shi and Tomasi, Good Features to Track,
+// CVPR 1994: the smaller eigenvalue of the mean outer product of gradients, grey values per px, squared). A large patch
+// on a small dot holds much that moves by itself; a small one on skin holds nothing.
+int telling_side_px(const std::vector<float>& patch, int patch_side_px, int least_px);
+
 // Where a patch was found.
 struct PatchMatch {
   double x_px = 0;

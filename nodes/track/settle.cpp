@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "nodes/base/check.h"
+#include "nodes/track/solid_head.h"
 
 namespace face::track {
 namespace {
@@ -22,7 +23,7 @@ struct Layout {
 // dimensions as complex numbers), applied to all. A translation where fewer than two are seen. Where two rigid points
 // are seen, these alone decide.
 Layout carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings,
-                    const std::vector<std::size_t>& rigid) {
+                    const std::vector<std::size_t>& rigid, const std::vector<double>& depths_px) {
   const auto is_seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
   const bool by_rigid = std::count_if(rigid.begin(), rigid.end(), is_seen) >= 2;
   Place start_mean = 0, seen_mean = 0, product = 0;
@@ -45,6 +46,15 @@ Layout carry_layout(const Landmarks& start, const std::vector<Sighting>& sightin
   }
   Layout out;
   if (count > 1 && square > 0) out.turn = product / square;
+  if (by_rigid && !depths_px.empty() && std::abs(out.turn) > 0) {
+    std::vector<SolidPoint> points;
+    for (const std::size_t i : rigid)
+      if (is_seen(i)) points.push_back({at(i), Place(sightings[i].x_px, sightings[i].y_px), depths_px[i]});
+    const SolidHead head = find_solid_head(points, out.turn);
+    for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(head.seen(at(i), depths_px[i]));
+    out.turn = Place(head.turn[0] + head.turn[4], head.turn[3] - head.turn[1]) / 2.0;
+    return out;
+  }
   for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(seen_mean + out.turn * (at(i) - start_mean));
   return out;
 }
@@ -72,7 +82,7 @@ std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>
         start.points.size());
   const std::size_t count = sightings.size();
   if (count == 0) return {};
-  const Layout layout = carry_layout(start, sightings, bonds.rigid);
+  const Layout layout = carry_layout(start, sightings, bonds.rigid, bonds.depths_px);
   const double spacing = median_spacing(start);
 
   // Unknowns: offsets from the layout, x then y of each point; then the size of each mode.

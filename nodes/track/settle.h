@@ -16,10 +16,12 @@ struct Sighting {
 
 // What keeps points together.
 struct Bonds {
-  double stiffness = 0.5;                  // of the springs, 1/px^2; 0 leaves seen points where they were seen
-  std::vector<std::vector<double>> modes = {};  // shapes that the points take together, 2N offsets in px, one deviation each
-  double slack_px = 2;                     // usual distance from such a shape of a point that takes part in it
-  std::vector<std::size_t> rigid = {};          // points that carry the layout where two of them are seen; else all do
+  double stiffness = 0.5;  // of the springs, 1/px^2; 0 leaves seen points where they were seen
+  std::vector<std::vector<double>> modes =
+      {};                               // shapes that the points take together, 2N offsets in px, one deviation each
+  double slack_px = 2;                  // usual distance from such a shape of a point that takes part in it
+  std::vector<std::size_t> rigid = {};  // points that carry the layout where two of them are seen; else all do
+  std::vector<double> depths_px = {};   // of all points, towards the viewer: the layout is a solid; {} = it is flat
 };
 
 // Places all points at once: each near where it was seen, as surely as it was seen, and with the same offset from the

@@ -5,6 +5,7 @@
 
 #include "engine/port.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 
 namespace face::track {
 
@@ -21,7 +22,14 @@ struct StabiliseOptions {
 // them trembles more. Rigid points come out where rest has them. Two points that can be seen give the turn and the
 // scale as well, one gives the place alone; without any, all points of the frame are not valid, where they were.
 // rest: the points that the face is laid upon; all rigid points are there.
-Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest,
+//
+// A similarity takes a nod, which shortens the nose, for a step back, and drops the mouth by millimetres. With depths
+// (N x 1: how far rest's points are towards the viewer, px; null = none) and two or more rigid points seen, the head
+// is a solid that is seen by a camera far away instead (solid_head.h): its three angles, scale and
+// place are those at which the rigid points lie nearest to where they were seen, turns and nods within 8 degrees or so
+// and scales within a twentieth being likelier than others (Gauss-Newton). What a point has moved by itself is then in
+// the plane of the picture at rest, at the depth that it had there.
+Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest, const Matrix* depths_px,
                     const StabiliseOptions& options = {});
 
 }  // namespace face::track

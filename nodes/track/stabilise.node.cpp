@@ -5,10 +5,12 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.stabilise", &stabilise, version{1},
+NODE("track.stabilise", &stabilise, version{2},
      doc{"Takes the head's motion out of tracked points, by those that the jaw does not move."},
      input{"landmarks", "The points of each frame and its neighbours", window{3, 3}},
      input{"rest", "The points that the face is laid upon: those of the first frame"},
+     input{"depths_px",
+           "How far each of them is towards the viewer (meshik.landmark_depths): turns and nods come out as well"},
      param("rigid", &StabiliseOptions::rigid, "Names of the points that the jaw does not move"),
      param("smooth_frames", &StabiliseOptions::smooth_frames, range{0.0, 3.0}, unit{"1"},
            "Standard deviation of the frames that the head's place is taken from; 0 = the frame alone"),

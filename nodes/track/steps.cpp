@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "nodes/track/find_face.h"
+#include "nodes/track/jaw_line.h"
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
+#include "nodes/track/solid_head.h"
 
 namespace face::track {
 namespace {
@@ -45,6 +48,11 @@ double anchor_share(double likeness, const TrackKltOptions& options) {
   return std::clamp((likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
 }
 
+// The part of a point's first patch that it is looked for with.
+std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index) {
+  return middle_of(patch_of(patches, index, 0, known.side_px), known.side_px, known.sides_px[index]);
+}
+
 bool pull_to_patch(const PatchMatch& match, const TrackKltOptions& options, Sighting& place) {
   if (!match.converged || std::hypot(match.x_px - place.x_px, match.y_px - place.y_px) > options.max_anchor_px)
     return false;
@@ -52,6 +60,32 @@ bool pull_to_patch(const PatchMatch& match, const TrackKltOptions& options, Sigh
   place.x_px += share * (match.x_px - place.x_px);
   place.y_px += share * (match.y_px - place.y_px);
   return true;
+}
+
+// Of points that all are of the 18-point layout; else none.
+std::vector<double> usual_depths_px(const Landmarks& start) {
+  const auto place = [&](const char* name) {
+    for (const Landmark& point : start.points)
+      if (point.name == name) return std::complex<double>(point.x_px, point.y_px);
+    return std::complex<double>(NAN, NAN);
+  };
+  const double eyes_px = std::abs(place("eye_inner_r") - place("eye_inner_l"));
+  if (!std::isfinite(eyes_px)) return {};
+  std::vector<double> depths_px;
+  for (const Landmark& point : start.points) {
+    const double depth = usual_depth(point.name);
+    if (depth < 0) return {};
+    depths_px.push_back(depth * eyes_px);
+  }
+  return depths_px;
+}
+
+// Where points are expected by all sightings together. No point of the lips is so sure of its place that the others
+// could not tell that it has taken its neighbour's: dots painted on them are alike.
+std::vector<Sighting> expect(const Knowledge& known, std::vector<Sighting> sightings) {
+  constexpr double most_sure_px = 2;
+  for (const std::size_t i : known.outline) limit(most_sure_px, sightings[i]);
+  return settle(known.start, sightings, known.bonds);
 }
 
 }  // namespace
@@ -70,6 +104,11 @@ std::vector<float> patch_of(const Image& patches, std::size_t index, int row, in
   return patch;
 }
 
+int side_of(const Image& patches, std::size_t index, int row, int side_px) {
+  constexpr int least_px = 9;
+  return telling_side_px(patch_of(patches, index, row, side_px), side_px, least_px);
+}
+
 void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, int row, int side_px, Image& patches) {
   const std::vector<float> patch = cut_patch(grey, x_px, y_px, side_px);
   for (int y = 0; y < side_px; ++y)
@@ -82,42 +121,50 @@ Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given
     : start(start_points),
       options(given),
       side_px(static_cast<int>(given.window_px)),
+      sides_px(start_points.points.size(), side_px),
       outline(find_outline(start_points, given.outline)) {
   bonds.stiffness = options.stiffness;
-  bonds.modes = mouth_modes(start, outline);
+  if (!outline.empty()) {
+    jaw_line = find_jaw_line(start, options.jaw_line);
+    mouth_px = mouth_width_px(start, outline);
+  }
+  bonds.modes = mouth_modes(start, outline, jaw_line);
   for (std::size_t i = 0; i < start.points.size(); ++i)
     if (std::find(options.rigid.begin(), options.rigid.end(), start.points[i].name) != options.rigid.end())
       bonds.rigid.push_back(i);
+  bonds.depths_px = usual_depths_px(start);
 }
 
 Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points) {
   std::vector<Sighting> from;
   for (const Landmark& point : points) {
     from.push_back({point.x_px, point.y_px});
-    if (point.valid) add_information(before, known.side_px, from.back());
+    if (point.valid) add_information(before, known.sides_px[from.size() - 1], from.back());
   }
   Seen seen;
   seen.likeness.assign(points.size(), 0);
   std::vector<Sighting>& to = seen.sightings;
-  to = flow.forth(from, from);
+  to = flow.forth(from, from, known.sides_px);
   // Points that went elsewhere than their neighbours get another try from where these say that they are.
   constexpr int tries = 3;
   for (int i = 0; i < tries; ++i) {
-    const std::vector<Sighting> guess = settle(known.start, to, known.bonds);
+    const std::vector<Sighting> guess = expect(known, to);
     std::vector<Sighting> again_from, again_guess;
     std::vector<std::size_t> again;
+    std::vector<int> again_sides_px;
     for (std::size_t k = 0; k < to.size(); ++k) {
       const double off = std::hypot(to[k].x_px - guess[k].x_px, to[k].y_px - guess[k].y_px);
       if (!is_seen(from[k]) || (is_seen(to[k]) && off <= 1)) continue;
       again.push_back(k);
       again_from.push_back(from[k]);
       again_guess.push_back(guess[k]);
+      again_sides_px.push_back(known.sides_px[k]);
     }
     if (again.empty()) break;
-    const std::vector<Sighting> found = flow.forth(again_from, again_guess);
+    const std::vector<Sighting> found = flow.forth(again_from, again_guess, again_sides_px);
     for (std::size_t k = 0; k < again.size(); ++k) to[again[k]] = found[k];
   }
-  const std::vector<Sighting> home = flow.back(to, to), settled = settle(known.start, to, known.bonds);
+  const std::vector<Sighting> home = flow.back(to, to, known.sides_px), settled = expect(known, to);
   for (std::size_t k = 0; k < to.size(); ++k) {
     if (!is_seen(to[k])) continue;
     const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
@@ -137,8 +184,7 @@ void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen&
   for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
     Sighting& place = seen.sightings[i];
     if (!is_seen(place)) continue;
-    const PatchMatch match =
-        align_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, place.x_px, place.y_px);
+    const PatchMatch match = align_patch(own_patch(known, patches, i), known.sides_px[i], now, place.x_px, place.y_px);
     const bool near = pull_to_patch(match, known.options, place);
     const auto& rigid = known.bonds.rigid;
     if (near) seen.likeness[i] = std::max(0.0, match.likeness);
@@ -155,14 +201,14 @@ void recover(const Knowledge& known, const Grey& now, const Image& patches, doub
   for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
     Sighting& place = seen.sightings[i];
     if (is_seen(place)) continue;
-    const PatchMatch match = search_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, expected[i].x_px,
+    const PatchMatch match = search_patch(own_patch(known, patches, i), known.sides_px[i], now, expected[i].x_px,
                                           expected[i].y_px, search_px);
     const bool found = match.converged && match.likeness >= known.options.min_likeness &&
                        is_inside(match.x_px, match.y_px, now.width, now.height) &&
                        std::hypot(match.x_px - expected[i].x_px, match.y_px - expected[i].y_px) <= search_px;
     if (!found) continue;
     place = {match.x_px, match.y_px};
-    add_information(now, known.side_px, place);
+    add_information(now, known.sides_px[i], place);
     seen.likeness[i] = match.likeness;
   }
 }
@@ -184,13 +230,13 @@ Seen find_again(const Knowledge& known, const Grey& now, const Image& face, cons
   for (Sighting& place : found.sightings) forget(place);
   for (std::size_t i = 0; i < found.sightings.size(); ++i) {
     const Sighting& guess = seen.sightings[i];
-    const PatchMatch patch = search_patch(patch_of(patches, i, 0, known.side_px), known.side_px, now, guess.x_px,
-                                          guess.y_px, known.options.search_px + step_px);
+    const PatchMatch patch = search_patch(own_patch(known, patches, i), known.sides_px[i], now, guess.x_px, guess.y_px,
+                                          known.options.search_px + step_px);
     if (!patch.converged || patch.likeness < known.options.min_likeness ||
         !is_inside(patch.x_px, patch.y_px, now.width, now.height))
       continue;
     found.sightings[i] = {patch.x_px, patch.y_px};
-    add_information(now, known.side_px, found.sightings[i]);
+    add_information(now, known.sides_px[i], found.sightings[i]);
     found.likeness[i] = patch.likeness;
   }
   const auto seen_of = [&](const std::vector<std::size_t>& points) {
@@ -204,31 +250,43 @@ Seen find_again(const Knowledge& known, const Grey& now, const Image& face, cons
   return found;
 }
 
-void fit_lips(const Knowledge& known, const Image& frame, const Matrix& look, Seen& seen) {
-  // What KLT and a patch that looks as at the start may claim on lips, which change their looks.
-  constexpr double follow_error_px = 1, patch_error_px = 0.2, least_likeness = 0.3;
+void fit_contours(const Knowledge& known, const Image& frame, const Grey& now, const Matrix& look,
+                  const Matrix& jaw_look, Seen& seen) {
+  // What KLT may claim on lips, which change their looks, and on even skin, along which it drifts; and a patch that
+  // looks as at the start, one that tells its place in every direction.
+  constexpr double follow_error_px = 1, skin_error_px = 2, patch_error_px = 0.2, mark_error_px = 0.1;
+  constexpr double least_likeness = 0.3;
   std::vector<Sighting> followed = seen.sightings, unseen = seen.sightings;
+  const auto is_mark = [&](std::size_t i) { return known.sides_px[i] < known.side_px; };
   for (const std::size_t i : known.outline) {
+    const double error_px = is_mark(i) ? mark_error_px : patch_error_px;
     const double share = anchor_share(seen.likeness[i], known.options);
-    limit(1 / std::sqrt(1 / (follow_error_px * follow_error_px) + share / (patch_error_px * patch_error_px)),
-          followed[i]);
+    limit(1 / std::sqrt(1 / (follow_error_px * follow_error_px) + share / (error_px * error_px)), followed[i]);
     forget(unseen[i]);
   }
+  for (const std::size_t i : known.jaw_line)
+    if (!is_mark(i)) limit(skin_error_px, followed[i]);
   std::vector<Sighting> settled = settle(known.start, followed, known.bonds);
   if (!known.outline.empty() && std::any_of(seen.sightings.begin(), seen.sightings.end(), is_seen)) {
     const Landmarks rest = places_of(known.start, settle(known.start, unseen, known.bonds));
     constexpr int rounds = 2;  // the normals of the first are of the expected shape
     for (int round = 0; round < rounds; ++round) {
-      const EdgeSight edge =
-          see_outline(frame, places_of(known.start, settled), rest, known.outline, look, known.options.edge_reach_px);
+      const Landmarks expected = places_of(known.start, settled);
       std::vector<Sighting> both = followed;
-      for (std::size_t k = 0; k < known.outline.size(); ++k) {
-        const std::size_t i = known.outline[k];
-        add(edge.sightings[k], both[i]);
-        if (round + 1 < rounds) continue;
-        if (edge.likeness[k] < least_likeness && !is_seen(seen.sightings[i])) forget(both[i]);
-        seen.likeness[i] = is_seen(both[i]) ? std::max(seen.likeness[i], edge.likeness[k]) : 0;
-      }
+      const auto take = [&](const EdgeSight& edge, const std::vector<std::size_t>& points) {
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          const std::size_t i = points[k];
+          // A dot that is seen knows better.
+          if (is_mark(i) && is_seen(seen.sightings[i]) && anchor_share(seen.likeness[i], known.options) >= 1) continue;
+          add(edge.sightings[k], both[i]);
+          if (round + 1 < rounds) continue;
+          if (edge.likeness[k] < least_likeness && !is_seen(seen.sightings[i])) forget(both[i]);
+          seen.likeness[i] = is_seen(both[i]) ? std::max(seen.likeness[i], edge.likeness[k]) : 0;
+        }
+      };
+      take(see_outline(frame, expected, rest, known.outline, look, known.options.edge_reach_px), known.outline);
+      if (!known.jaw_line.empty())
+        take(see_jaw_line(now, expected, known.jaw_line, known.outline, known.mouth_px, jaw_look), known.jaw_line);
       settled = settle(known.start, both, known.bonds);
     }
   }
@@ -246,24 +304,24 @@ bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& 
   }
   forget(places[index]);
   const Sighting expected = settle(layout, places, known.bonds)[index];
+  const int side_px = side_of(patches, index, 1, known.side_px);
   Sighting from{point.x_px, point.y_px}, guess = expected;
-  add_information(before, known.side_px, from);
-  Sighting to = point.valid ? flow.forth({from}, {guess})[0] : Sighting{};
+  add_information(before, side_px, from);
+  Sighting to = point.valid ? flow.forth({from}, {guess}, {side_px})[0] : Sighting{};
   if (is_seen(to)) {
-    const Sighting home = flow.back({to}, {from})[0];
+    const Sighting home = flow.back({to}, {from}, {side_px})[0];
     const bool kept = is_seen(home) && sure_length_px(from, home.x_px - from.x_px, home.y_px - from.y_px) <=
                                            known.options.max_return_error_px;
     if (!kept) forget(to);
   }
-  const std::vector<float> patch = patch_of(patches, index, 1, known.side_px);
+  const std::vector<float> patch = middle_of(patch_of(patches, index, 1, known.side_px), known.side_px, side_px);
   if (is_seen(to)) {
-    pull_to_patch(align_patch(patch, known.side_px, now, to.x_px, to.y_px), known.options, to);
+    pull_to_patch(align_patch(patch, side_px, now, to.x_px, to.y_px), known.options, to);
   } else {
-    const PatchMatch match =
-        search_patch(patch, known.side_px, now, expected.x_px, expected.y_px, known.options.search_px);
+    const PatchMatch match = search_patch(patch, side_px, now, expected.x_px, expected.y_px, known.options.search_px);
     if (match.converged && match.likeness >= known.options.min_likeness) {
       to = {match.x_px, match.y_px};
-      add_information(now, known.side_px, to);
+      add_information(now, side_px, to);
     }
   }
   const bool on_lips = std::find(known.outline.begin(), known.outline.end(), index) != known.outline.end();

@@ -15,6 +15,8 @@ namespace face::track {
 // The patches of N points side by side, `row` 0 of those that the start placed, 1 of those that corrections did.
 Image empty_patches(std::size_t count, int side_px);
 std::vector<float> patch_of(const Image& patches, std::size_t index, int row, int side_px);
+// The middle of it that tells the point's place (telling_side_px); side_px is of the patch that is kept.
+int side_of(const Image& patches, std::size_t index, int row, int side_px);
 void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, int row, int side_px, Image& patches);
 
 // What is known of the points before a frame is looked at.
@@ -22,8 +24,11 @@ struct Knowledge {
   Knowledge(const Landmarks& start_points, const TrackKltOptions& given);
   const Landmarks& start;
   const TrackKltOptions& options;
-  int side_px;
-  std::vector<std::size_t> outline;  // indices; empty = no lips are sought
+  int side_px;                        // of the patches that are kept
+  std::vector<int> sides_px;          // of the part of its patch that a point is followed with
+  std::vector<std::size_t> outline;   // indices; empty = no lips are sought
+  std::vector<std::size_t> jaw_line;  // the same; empty without an outline
+  double mouth_px = 0;                // its width at the start
   Bonds bonds;
 };
 
@@ -48,8 +53,10 @@ void recover(const Knowledge& known, const Grey& now, const Image& patches, doub
 // Looks for the whole face anywhere in the frame. Nothing is seen where it is not there.
 Seen find_again(const Knowledge& known, const Grey& now, const Image& face, const Image& patches);
 
-// Brings the points of the outline to the edge of the lips, and all points to where their bonds let them be.
-void fit_lips(const Knowledge& known, const Image& frame, const Matrix& look, Seen& seen);
+// Brings the points of the outline to the edge of the lips, those of the jaw line to the contour of the chin, and all
+// points to where their bonds let them be. frame and now: the same picture. look, jaw_look: what the edges look like.
+void fit_contours(const Knowledge& known, const Image& frame, const Grey& now, const Matrix& look,
+                  const Matrix& jaw_look, Seen& seen);
 
 // Follows one point that a correction placed, near where the other points of the frame let it be. layout: of all
 // points. others: the points of this frame. Returns false where it is lost.

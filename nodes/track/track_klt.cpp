@@ -5,6 +5,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/track/find_face.h"
+#include "nodes/track/jaw_line.h"
 #include "nodes/track/outline.h"
 #include "nodes/track/steps.h"
 
@@ -43,6 +44,8 @@ TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now
   for (std::size_t i = 0; i < known.start.points.size(); ++i)
     keep_patch(now, known.start.points[i].x_px, known.start.points[i].y_px, i, 0, known.side_px, result.patches);
   if (!known.outline.empty()) result.look = learn_outline(frame, known.start, known.outline);
+  if (!known.jaw_line.empty())
+    result.jaw_look = learn_jaw_line(now, known.start, known.jaw_line, known.outline, known.mouth_px);
   result.face = learn_face(now, known.start);
   result.confidence = {known.start.points.size(), 1, std::vector<double>(known.start.points.size(), 1.0)};
   result.state = "start";
@@ -67,7 +70,7 @@ void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, c
     if (!cut) recover(known, now, result.patches, known.options.search_px, seen);
   }
   if ((!was_valid || cut) && !even) seen = find_again(known, now, result.face, result.patches);
-  fit_lips(known, frame, result.look, seen);
+  fit_contours(known, frame, now, result.look, result.jaw_look, seen);
   std::size_t valid = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Sighting& place = seen.sightings[i];
@@ -136,10 +139,12 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
   check_inputs(frames, start, prior, options);
   const Image& frame = frames.centre();
   const Grey now = grey_of(frame);
-  const Knowledge known(start, options);
+  Knowledge known(start, options);
   TrackKltResult result;
   if (prior) {
     result = *prior;
+    for (std::size_t i = 0; i < start.points.size(); ++i)
+      known.sides_px[i] = side_of(result.patches, i, 0, known.side_px);
     const Grey before = grey_of(frames[frames.centre_index() - 1]);
     const FlowPair flow(before, now, known.side_px, static_cast<int>(options.levels));
     advance(known, flow, frame, before, now, result);

@@ -12,7 +12,7 @@
 namespace face::track {
 
 struct TrackKltOptions {
-  std::int64_t window_px = 15;     // side of the patch that is followed, odd
+  std::int64_t window_px = 15;     // side of the patch that is followed, odd; dots take less of it (telling_side_px)
   std::int64_t levels = 3;         // of the pyramid, above the image itself
   double stiffness = 0.5;          // of the springs between neighbours; 0 follows every point alone
   double max_return_error_px = 1;  // a point followed there and back must come home this close
@@ -24,6 +24,8 @@ struct TrackKltOptions {
   // The outer edge of the lips in order, a corner of the mouth first and the other half way round; {} = no such edge.
   std::vector<std::string> outline = {"lip_0", "lip_1", "lip_2", "lip_3", "lip_4",  "lip_5",
                                       "lip_6", "lip_7", "lip_8", "lip_9", "lip_10", "lip_11"};
+  // The contour of the chin from one side to the other; sought where the outline is and all of these are there.
+  std::vector<std::string> jaw_line = {"jaw_r", "chin", "jaw_l"};
   double edge_reach_px = 4;  // how far from where it is expected the edge of the lips is looked for
 };
 
@@ -33,6 +35,7 @@ struct TrackKltResult {
   Landmarks put_right;  // the points that corrections placed, in this or an earlier frame, where they are now; by name
   Landmarks layout;     // the start points with what corrections said: how the points lie to each other at rest
   Matrix look;          // what the edge of the lips looks like (outline.h); 0 x 0 without an outline
+  Matrix jaw_look;      // what the contour of the chin looks like (jaw_line.h); 0 x 0 without one
   Image patches;        // grey; every point's patch at the start, and below where a correction placed it; side by side
   Image face;           // grey, small; what is looked for when everything was lost
   Matrix confidence;    // points x 1; 0 = lost, 1 = looks as where it was placed
@@ -50,8 +53,10 @@ struct TrackKltResult {
 // Forward-Backward Error, ICPR 2010), or that leaves its neighbours, is looked for near where the others say that it
 // is, by the patch that it had at the start. Differs from plain KLT: three rigid points carry the layout of all; points
 // are kept together by springs and the shapes of a mouth (settle.h, mouth_shape.h); against drift a point whose own
-// patch is seen again near its place goes there, and the points of the outline go to the edge of the lips (outline.h).
-// A rigid point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
+// patch is seen again near its place goes there, and the points of the outline go to the edge of the lips (outline.h),
+// those of the jaw line to the contour of the chin (jaw_line.h). Three rigid points are a pose of an average head where
+// all points are of the 18-point layout, so that a turn of the head does not turn the layout (solid_head.h). A rigid
+// point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
 //
 // A point that is not valid keeps its last good place. A frame without contrast, after a cut, or in which fewer than a
 // third of the points are seen is not valid, until the face is found again, as large and as upright as at the start.

@@ -32,7 +32,32 @@ TEST(FindRest, IsAShutMouthThoughTheClipBeginsWithAnOpenOne) {
   EXPECT_NEAR(rest.points[9].x_px, 9, 1e-9);
 }
 
-TEST(FindRest, LeavesFramesWithALostPointOut) {
+TEST(FindRest, IsAMouthAtRestThoughBilabialsPressItThinner) {
+  std::vector<Landmarks> frames;
+  for (int word = 0; word < 10; ++word) {
+    for (int i = 0; i < 3; ++i) frames.push_back(mouth(4));  // pressed, for a moment
+    for (int i = 0; i < 7; ++i) frames.push_back(mouth(14 + 2 * (i % 3)));
+  }
+  for (int i = 0; i < 20; ++i) frames.push_back(mouth(8));
+  EXPECT_NEAR(find_rest(frames).points[3].y_px, -4, 1e-9);
+  FindRestOptions all;
+  all.still_share = 1;
+  EXPECT_GT(find_rest(frames, all).points[3].y_px, -3.9);
+}
+
+TEST(FindRest, TakesFramesThatLostTheChinAndItsPlaceFromOthers) {
+  std::vector<Landmarks> frames;
+  for (int i = 0; i < 10; ++i) {
+    frames.push_back(mouth(8));
+    frames.back().points.push_back({"chin", 6, i == 3 ? 40.0 : 90.0, i == 3});
+  }
+  FindRestOptions all;
+  all.still_share = all.to_share = 1;
+  all.from_share = 0;
+  EXPECT_NEAR(find_rest(frames, all).points[12].y_px, 40, 1e-9);
+}
+
+TEST(FindRest, LeavesFramesWithALostLipOut) {
   Landmarks lost = mouth(2);
   lost.points[0].valid = false;
   EXPECT_NEAR(find_rest({{lost, mouth(9), lost, lost}}).points[3].y_px, -4.5, 1e-9);

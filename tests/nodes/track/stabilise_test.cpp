@@ -37,7 +37,7 @@ TEST(Stabilise, TakesAMovedTurnedScaledHeadBack) {
   Landmarks open = rest();
   open.points[3].y_px = 177;
   const Landmarks moved = turned(open, 0.2, 1.1, 14, -9);
-  const Landmarks stable = stabilise(window({moved, moved}, 1), rest());
+  const Landmarks stable = stabilise(window({moved, moved}, 1), rest(), nullptr);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(stable.points[i].x_px, open.points[i].x_px, 1e-9);
     EXPECT_NEAR(stable.points[i].y_px, open.points[i].y_px, 1e-9);
@@ -49,7 +49,7 @@ TEST(Stabilise, TremblesLessWithNeighbours) {
   shaken.points[0].y_px += 1;
   const StabiliseOptions alone{.smooth_frames = 0};
   const auto off = [&](const StabiliseOptions& options) {
-    const Landmark lip = stabilise(window({rest(), shaken, rest()}, 1), rest(), options).points[3];
+    const Landmark lip = stabilise(window({rest(), shaken, rest()}, 1), rest(), nullptr, options).points[3];
     return std::hypot(lip.x_px - 140, lip.y_px - 170);
   };
   const double plain = off(alone), smooth = off({});
@@ -60,7 +60,7 @@ TEST(Stabilise, TremblesLessWithNeighbours) {
 TEST(Stabilise, KeepsTheScaleWhereOnePointIsSeen) {
   Landmarks moved = turned(rest(), 0, 1, 5, 6);
   moved.points[0].valid = moved.points[1].valid = false;
-  const Landmarks stable = stabilise(window({moved}, 0), rest());
+  const Landmarks stable = stabilise(window({moved}, 0), rest(), nullptr);
   EXPECT_NEAR(stable.points[3].x_px, 140, 1e-9);
   EXPECT_NEAR(stable.points[3].y_px, 170, 1e-9);
   EXPECT_TRUE(stable.points[3].valid);
@@ -69,12 +69,55 @@ TEST(Stabilise, KeepsTheScaleWhereOnePointIsSeen) {
 TEST(Stabilise, SaysThatNothingIsKnownWithoutARigidPoint) {
   Landmarks lost = rest();
   for (std::size_t i = 0; i < 3; ++i) lost.points[i].valid = false;
-  const Landmarks stable = stabilise(window({rest(), lost}, 1), rest());
+  const Landmarks stable = stabilise(window({rest(), lost}, 1), rest(), nullptr);
   for (const Landmark& point : stable.points) EXPECT_FALSE(point.valid);
   EXPECT_EQ(stable.points[3].y_px, 170);
 }
 
 TEST(Stabilise, NamesARigidPointThatRestDoesNotHave) {
-  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), {{{"lip_0", 1, 2}}}),
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), {{{"lip_0", 1, 2}}}, nullptr),
                     "rest has no point eye_inner_r, expected all rigid ones");
+}
+
+namespace {
+
+// What a camera far away sees of a solid head that nods (its chin down) and turns, at these depths.
+Landmarks nodded(Landmarks points, const Matrix& depths_px, double nod, double turn) {
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
+    const double x = points.points[i].x_px - 160, y = points.points[i].y_px - 110, z = depths_px.at(i, 0);
+    const double y1 = std::cos(nod) * y - std::sin(nod) * z, z1 = std::sin(nod) * y + std::cos(nod) * z;
+    points.points[i].x_px = 165 + std::cos(turn) * x + std::sin(turn) * z1;
+    points.points[i].y_px = 112 + y1;
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST(Stabilise, TakesANodAndATurnOutWhereDepthsAreKnown) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}};
+  Landmarks open = rest();
+  open.points[3].y_px += 7;
+  const Landmarks seen = nodded(open, depths, 0.1, -0.07);
+  const auto off = [&](const Matrix* known) {
+    const Landmark lip = stabilise(window({seen}, 0), rest(), known).points[3];
+    return std::hypot(lip.x_px - open.points[3].x_px, lip.y_px - open.points[3].y_px);
+  };
+  EXPECT_GT(off(nullptr), 3);
+  EXPECT_LT(off(&depths), 0.25);  // likelier angles are smaller ones
+}
+
+TEST(Stabilise, LeavesAHeadThatDidNotMoveWhereItIsWhateverTheDepths) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}};
+  Landmarks open = rest();
+  open.points[3].y_px += 7;
+  const Landmark lip = stabilise(window({open}, 0), rest(), &depths).points[3];
+  EXPECT_NEAR(lip.x_px, 140, 1e-6);
+  EXPECT_NEAR(lip.y_px, 177, 1e-6);
+}
+
+TEST(Stabilise, RejectsDepthsOfAnotherNumberOfPoints) {
+  const Matrix depths{3, 1, {0, 0, 40}};
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths),
+                    "depths_px is 3 x 1, expected 4 x 1 as rest has points");
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phantom's lips against where they are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "tests/nodes/track/grid_clip.h"
+#include "tests/nodes/track/phantom_clip.h"
+
+using namespace face;
+
+namespace {
+
+struct Score {
+  double rms_px = 0;
+  double lost = 0;  // share of the points that the camera sees
+};
+
+// Of all points that the camera sees and the tracker has.
+Score score(const test::PhantomClip& clip) {
+  const auto tracked = test::track_frames(clip.frames, clip.truth[0]);
+  double sum = 0, count = 0, lost = 0;
+  for (std::size_t i = 0; i < tracked.size(); ++i)
+    for (std::size_t k = 0; k < clip.truth[i].points.size(); ++k) {
+      const Landmark &p = tracked[i].landmarks.points[k], &q = clip.truth[i].points[k];
+      if (!q.valid) continue;
+      if (p.valid) sum += std::pow(p.x_px - q.x_px, 2) + std::pow(p.y_px - q.y_px, 2);
+      ++(p.valid ? count : lost);
+    }
+  const Score found{std::sqrt(sum / count), lost / (count + lost)};
+  std::printf("%zu frames: %.2f px, %.1f of 1000 points lost\n", tracked.size(), found.rms_px, 1000 * found.lost);
+  return found;
+}
+
+const std::string sentence = "My mother baked five warm loaves of bread this morning.";
+
+}  // namespace
+
+TEST(TrackPhantom, PaintedDotsAreFollowedToAThirdOfAPixelWithoutASetting) {
+  const Score found = score(test::film_phantom(sentence, 90, test::Dots::painted));
+  EXPECT_LE(found.rms_px, 0.3);
+  EXPECT_LE(found.lost, 0.02);
+}
+
+TEST(TrackPhantom, UnpaintedSkinIsFollowedToAPixelAndAHalf) {
+  const Score found = score(test::film_phantom(sentence, 90, test::Dots::none));
+  EXPECT_LE(found.rms_px, 1.5);
+  EXPECT_LE(found.lost, 0.06);
+}
