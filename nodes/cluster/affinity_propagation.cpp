@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/cluster/affinity_propagation.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "nodes/base/check.h"
@@ -27,6 +28,9 @@ AffinityPropagationResult affinity_propagation(const Matrix& points, const Affin
   const float least = similarities.minimum();
   result.preference = options.preference;
   if (options.rule == PreferenceRule::minimum) result.preference = static_cast<double>(least);
+  constexpr double paper_frames = 18000;  // Animating Lip-Sync Speech Faces, section 5.3
+  if (options.rule == PreferenceRule::scaled)
+    result.preference = static_cast<double>(least) * std::min(1.0, static_cast<double>(points.rows) / paper_frames);
   if (options.rule == PreferenceRule::median) result.preference = static_cast<double>(similarities.median());
   result.converged = least == 0;  // one point, many times: nothing to tell apart
   if (least < 0) {

@@ -13,11 +13,17 @@ enum class AffinityMethod {
   exact,  // every point may stand for every other: N^2 numbers
   pruned  // a few hundred points may stand for others: N x candidates numbers
 };
-enum class PreferenceRule { minimum, median, value };
+enum class PreferenceRule {
+  minimum,  // the least similarity of two points, as the paper has it for 18,000 frames
+  scaled,   // of that, N of 18,000 parts (all of it above): a clip a tenth as long shows the same shapes a tenth as
+            // often, so that a group is worth as much only where it costs a tenth
+  median,
+  value
+};
 
 struct AffinityPropagationOptions {
   AffinityMethod method = AffinityMethod::exact;
-  PreferenceRule rule = PreferenceRule::minimum;  // of the similarities of pairs, as the paper has it
+  PreferenceRule rule = PreferenceRule::minimum;  // what an exemplar costs, by the similarities of pairs
   double preference = -1;                         // where the rule is `value`; more negative makes fewer groups
   double damping = 0.9;  // as Frey and Dueck's own program; at 0.5 (scikit-learn) tight groups make messages swing
   std::int64_t max_iterations = 200;

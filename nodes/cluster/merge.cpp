@@ -15,8 +15,7 @@ namespace {
 Assignment read_assignment(const Matrix& points, const Matrix& labels, const Matrix& exemplars) {
   check(labels.values.size() == points.rows, "labels has ", labels.values.size(), " numbers, expected ", points.rows,
         " as points has rows");
-  check(exemplars.values.size() >= 1 && exemplars.values.size() <= 63, "exemplars has ", exemplars.values.size(),
-        " numbers, expected 1 to 63");
+  check(!exemplars.values.empty(), "exemplars has no numbers, expected at least 1");
   const auto read = [](const Matrix& matrix, std::size_t limit, const char* name) {
     std::vector<std::size_t> numbers;
     for (const double value : matrix.values) {
@@ -88,6 +87,8 @@ MergeResult merge(const Matrix& points, const Matrix& labels, const Matrix& exem
     for (std::size_t i = 0; i < points.rows; ++i)
       for (std::size_t d = 0; d < points.columns; ++d) rest[d] += points.at(i, d) / static_cast<double>(points.rows);
   }
+  constexpr std::size_t most_judged = 63;  // key shapes that NonNegativeLeastSquares takes
+  while (groups.exemplars.size() > most_judged) merge_nearest(points, groups);
   const std::size_t most = groups.exemplars.size();
   std::vector<Assignment> steps(most + 1);  // by the number of groups
   std::vector<double> errors(most + 1), distances(most + 1, 0.0);

@@ -22,6 +22,7 @@ struct MergeResult {
 // Merges the two groups whose exemplars are nearest to each other, again and again (Animating Lip-Sync Speech Faces,
 // section 5.3 and Fig. 7): the larger group's exemplar stays. The error of every count is the root mean square of what
 // non-negative weights of the exemplars (Eq 5), relative to neutral, do not explain of the points.
+// More than 63 groups are merged down to 63 before any is judged.
 // The knee, which the paper finds by eye: the smallest count whose error is below a tenth of the way from the least
 // error to that of one group, plus none where the curve is flat.
 // points: N x D, labels: N x 1, exemplars: K x 1, as from affinity_propagation. neutral: D numbers, null: the mean.

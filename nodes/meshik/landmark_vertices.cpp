@@ -27,4 +27,28 @@ std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& l
   return found;
 }
 
+double landmark_scale_mm(const Rig& rig, const Landmarks& neutral, const std::vector<LandmarkVertex>& places) {
+  double mean[4] = {}, along = 0, size = 0;
+  const auto values = [&](const LandmarkVertex& place, double(&v)[4]) {
+    v[0] = neutral.points[place.landmark].x_px;
+    v[1] = -neutral.points[place.landmark].y_px;
+    v[2] = static_cast<double>(rig.neutral.points_mm[place.vertex][0]);
+    v[3] = static_cast<double>(rig.neutral.points_mm[place.vertex][1]);
+  };
+  double v[4];
+  for (const LandmarkVertex& place : places) {
+    values(place, v);
+    for (std::size_t i = 0; i < 4; ++i) mean[i] += v[i] / static_cast<double>(places.size());
+  }
+  for (const LandmarkVertex& place : places) {
+    values(place, v);
+    for (std::size_t d = 0; d < 2; ++d) {
+      along += (v[d] - mean[d]) * (v[2 + d] - mean[2 + d]);
+      size += (v[d] - mean[d]) * (v[d] - mean[d]);
+    }
+  }
+  check(size > 0 && along > 0, "the neutral landmarks do not lie as those of an upright face do");
+  return along / size;
+}
+
 }  // namespace face::meshik

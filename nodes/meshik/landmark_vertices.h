@@ -21,4 +21,8 @@ struct LandmarkVertex {
 // landmark of the layout is there.
 std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks);
 
+// How large a pixel is on the rig, mm: the scale at which the landmarks of a face at rest, seen from the front, lie
+// nearest to the rig's (least squares about their means). Throws where they do not lie as those of an upright face do.
+double landmark_scale_mm(const Rig& rig, const Landmarks& neutral, const std::vector<LandmarkVertex>& places);
+
 }  // namespace face::meshik

@@ -112,6 +112,20 @@ TEST(Merge, JoinsExemplarsThatAreNearWhateverTheError) {
   EXPECT_EQ(found.labels.values, (std::vector<double>{0, 0, 1, 1}));
 }
 
+TEST(Merge, TakesMoreGroupsThanWeightsCanBeFoundFor) {
+  const std::size_t count = 80;
+  Matrix points{count, 2, {}}, labels{count, 1, {}}, exemplars{count, 1, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 0.07 * static_cast<double>(i);
+    points.values.insert(points.values.end(), {10 * std::cos(angle), 10 * std::sin(angle)});
+    labels.values.push_back(static_cast<double>(i));
+    exemplars.values.push_back(static_cast<double>(i));
+  }
+  const MergeResult merged = merge(points, labels, exemplars, nullptr);
+  EXPECT_EQ(merged.curve.rows.size(), 63u);
+  EXPECT_LT(merged.exemplars.rows, 10u);  // a plane needs few
+}
+
 TEST(Merge, RejectsLabelsThatDoNotFit) {
   const Matrix points{2, 1, {0, 1}};
   EXPECT_THROW_TEXT(merge(points, {1, 1, {0}}, {1, 1, {0}}, nullptr),

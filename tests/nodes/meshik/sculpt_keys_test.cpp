@@ -64,12 +64,12 @@ struct Sculpted {
   std::vector<Mesh> meshes;
   std::vector<Weights> weights;
 };
-Sculpted sculpt(const Rig& rig, const KeyShapes& keys, const Landmarks& neutral,
-                const SculptKeysOptions& options = {}) {
+Sculpted sculpt(const Rig& rig, const KeyShapes& keys, const Landmarks& neutral, const SculptKeysOptions& options = {},
+                const Visemes* visemes = nullptr) {
   Sculpted sculpted;
   engine::SeqWriter<Mesh> meshes([&](const std::string&, Mesh mesh) { sculpted.meshes.push_back(std::move(mesh)); });
   engine::SeqWriter<Weights> weights([&](const std::string&, Weights w) { sculpted.weights.push_back(std::move(w)); });
-  sculpted.result = sculpt_keys(rig, keys, neutral, meshes, weights, options);
+  sculpted.result = sculpt_keys(rig, keys, neutral, visemes, meshes, weights, options);
   return sculpted;
 }
 
@@ -92,6 +92,54 @@ TEST(SculptKeys, StaysWithinTheRigsRange) {
   EXPECT_EQ(found.weights[0].values[0], 1);
   EXPECT_EQ(found.weights[0].values[1], 0);
   EXPECT_GT(found.result.rms_mm, 1);
+}
+
+// jawOpen alone or with mouthPucker, by their places in ARKit's list.
+Viseme viseme(float open, float pucker) {
+  Viseme out;
+  out.label = "AA";
+  out.weights.assign(52, 0.0f);
+  out.sigmas.assign(52, 1.0f);
+  out.weights[17] = open;
+  out.weights[20] = pucker;
+  return out;
+}
+
+TEST(SculptKeys, OfTwoShapesThatLookAlikeTakesTheOneThatSpeechUses) {
+  Rig rig = landmark_rig();
+  Shape alike = rig.shapes[0];  // moves the landmarks by as much, and something else
+  alike.name = "mouthFunnel";
+  rig.shapes.insert(rig.shapes.begin(), alike);
+  const Landmarks rest = seen(landmark_rig(), 0, 0), open = seen(landmark_rig(), 0.5f, 0);
+  const KeyShapes keys{{{"1", 1, open}}};
+  const Sculpted plain = sculpt(rig, keys, rest);
+  EXPECT_NEAR(plain.weights[0].values[0], plain.weights[0].values[1], 1e-6);
+  const Visemes table{{viseme(0.4f, 0), viseme(0.1f, 0.3f)}};
+  const Sculpted found = sculpt(rig, keys, rest, {}, &table);
+  EXPECT_NEAR(found.weights[0].values[1], 0.5, 0.02);
+  EXPECT_LT(found.weights[0].values[0], 0.01);
+}
+
+TEST(SculptKeys, UsesNoShapeThatMovesNoLandmark) {
+  const Rig rig = landmark_rig();
+  const Visemes table{{viseme(0.4f, 0.4f)}};
+  // The lips' corners are not among these landmarks: what the jaw says decides.
+  Landmarks rest = seen(rig, 0, 0), open = seen(rig, 0.4f, 0);
+  const auto drop = [](Landmarks& points) {
+    std::erase_if(points.points, [](const Landmark& p) { return p.name == "lip_0" || p.name == "lip_6"; });
+  };
+  drop(rest);
+  drop(open);
+  const Sculpted found = sculpt(rig, {{{"1", 1, open}}}, rest, {}, &table);
+  EXPECT_EQ(found.weights[0].values[1], 0);  // mouthPucker moves none of them: it is not used
+  EXPECT_NEAR(found.weights[0].values[0], 0.4, 0.02);
+}
+
+TEST(SculptKeys, RejectsVisemesOfAnotherNumberOfShapes) {
+  const Rig rig = landmark_rig();
+  Visemes table{{viseme(0.4f, 0)}};
+  table.visemes[0].weights.pop_back();
+  EXPECT_THROW_TEXT(sculpt(rig, {}, seen(rig, 0, 0), {}, &table), "viseme AA has 51 weights, expected 52");
 }
 
 TEST(SculptKeys, RejectsARigOrLandmarksThatDoNotFit) {

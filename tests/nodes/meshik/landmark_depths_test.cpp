@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/meshik/landmark_depths.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_throw_text.h"
+
+namespace {
+
+using namespace face;
+using namespace face::meshik;
+
+// The corners of a mouth, a chin and the tip of a nose, 20 mm in front of them.
+Rig small_rig() {
+  Rig rig;
+  rig.neutral.points_mm.resize(68, {0, 0, 0});
+  for (std::uint32_t i = 0; i < 68; ++i) rig.landmarks68.push_back(i);
+  rig.neutral.points_mm[48] = {-25, 0, 0};
+  rig.neutral.points_mm[54] = {25, 0, 0};
+  rig.neutral.points_mm[8] = {0, -40, -5};
+  rig.neutral.points_mm[30] = {0, 30, 20};
+  return rig;
+}
+
+// Seen at 0.5 mm a pixel.
+Landmarks small_face() {
+  return {{{"lip_0", 50, 100}, {"lip_6", 150, 100}, {"chin", 100, 180}, {"nose_tip", 100, 40}}};
+}
+
+TEST(LandmarkDepths, AreTheRigsInPixels) {
+  const Matrix depths = landmark_depths(small_rig(), small_face());
+  ASSERT_EQ(depths.rows, 4u);
+  ASSERT_EQ(depths.columns, 1u);
+  EXPECT_NEAR(depths.at(0, 0), 0, 1e-9);
+  EXPECT_NEAR(depths.at(2, 0), -10, 1e-9);
+  EXPECT_NEAR(depths.at(3, 0), 40, 1e-9);
+}
+
+TEST(LandmarkDepths, DoNotChangeWithTheRigsUnits) {
+  Rig rig = small_rig();
+  for (Vec3f& point : rig.neutral.points_mm)
+    for (float& x : point) x *= 1000;
+  EXPECT_NEAR(landmark_depths(rig, small_face()).at(3, 0), 40, 1e-4);
+}
+
+TEST(LandmarkDepths, OfAnUnknownPointIsTheMean) {
+  Landmarks face = small_face();
+  face.points.push_back({"mole", 80, 80});
+  EXPECT_NEAR(landmark_depths(small_rig(), face).at(4, 0), 7.5, 1e-9);
+}
+
+TEST(LandmarkDepths, RejectAFaceUpsideDown) {
+  Landmarks face = small_face();
+  for (Landmark& point : face.points) point.x_px *= -1, point.y_px *= -1;
+  EXPECT_THROW_TEXT(landmark_depths(small_rig(), face),
+                    "the neutral landmarks do not lie as those of an upright face do");
+}
+
+}  // namespace
