@@ -31,7 +31,9 @@ TEST(Types, AreShownByTheirViews) {
       if (!value) continue;
       const std::string bytes = engine::view_value(value, "." + suffix, installed());
       EXPECT_GT(bytes.size(), 30u) << name << " as ." << suffix;
-      if (suffix == "png") EXPECT_EQ(bytes.substr(1, 3), "PNG") << name;
+      if (suffix == "png") {
+        EXPECT_EQ(bytes.substr(1, 3), "PNG") << name;
+      }
       ++shown;
     }
   EXPECT_GE(shown, 10u);

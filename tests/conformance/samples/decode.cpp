@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tests/conformance/samples/area_samples.h"
+#include "tests/conformance/samples/shared.h"
 #include "tests/support/samples.h"
 
 namespace conformance {
@@ -32,9 +32,10 @@ const Registered decode({
             {"decode.video.file", file_by("export.video")},
             {"decode.rig.file", file_by("export.gltf")},
             {"decode.npy.file", file_by("export.npy")},
-            {"decode.landmarks.file",
-             text_file(".json", {R"({"image_size": [64, 48], "points": {"a": [10, 12], "b": [20.5, 30]}})",
-                                 R"({"image_size": [80, 60], "points": {"a": [11, 12], "c": [20.5, 30]}})"})},
+            // Shares of the picture, whose size it takes from there.
+            {"decode.landmarks.file", text_file(".json", {R"([{"x": 0.5, "y": 0.25}, {"x": 0.25, "y": 0.5}])",
+                                                          R"([{"x": 0.6, "y": 0.25}, {"x": 0.25, "y": 0.5}])"})},
+            {"decode.landmarks.image", sized_picture},
             {"decode.corrections.file", text_file(".json", {R"([{"frame": 4, "point": "a", "xy": [10, 12]}])",
                                                             R"([{"frame": 5, "point": "b", "xy": [10, 13]}])"})},
             {"decode.rig.names",

