@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recorded streams of scans, as a person with a scanner has them: written by graphs/scan_stream/record.json, read back,
+// with frames that are wrong, and with one frame's threshold put right.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/end_to_end/command.h"
+
+namespace {
+
+using test::operator+;
+using test::Ended;
+using test::Words;
+namespace fs = std::filesystem;
+
+class ScanStream : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    write("sentences/1.txt", "Five.\n");
+    const Ended ended = command({"run", graph("scan_stream/record.json"), "--quiet", "--set", "sentences=sentences",
+                                 "--set", "width_px=160", "--set", "height_px=120", "--out", "stream"});
+    ASSERT_EQ(ended.code, 0) << ended.output;
+  }
+
+  // Reads the stream and writes it again, the mouths removed. overrides: of the removal.
+  Ended reread(const std::string& overrides = {}) const {
+    write("reread.json", R"({"facegraph": 1, "params": {"scans": {"type": "path"}}, "nodes": {
+        "takes": { "node": "decode.list_takes", "inputs": {"folder": "${scans}"} },
+        "scan": { "node": "decode.depth_take", "inputs": {"folder": "${scans}", "take": "takes"} },
+        "again": { "node": "export.depth", "inputs": {"scan": "scan.scans"} },
+        "mouth": { "node": "mask.remove_mouth", "inputs": {"scan": "scan.scans"}, "overrides": {)" +
+                             overrides + R"(} },
+        "cleared": { "node": "export.depth", "inputs": {"scan": "mouth.scan"} },
+        "report": { "node": "export.text", "inputs": {"text": "scan.report"} }},
+      "outputs": {"depth.png": "again.depth", "picture.png": "again.picture", "cleared.png": "cleared.depth",
+                  "report.txt": "report"}})");
+    return command({"run", "reread.json", "--set", "scans=stream", "--out", "out"});
+  }
+
+  std::vector<std::string> names(const std::string& folder) const {
+    std::vector<std::string> list;
+    for (const auto& entry : fs::directory_iterator(path(folder))) list.push_back(entry.path().filename().string());
+    return list;
+  }
+};
+
+TEST_F(ScanStream, ComesBackFromFilesBitForBit) {
+  const Ended ended = reread();
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  const std::vector<std::string> frames = names("stream/depth/1");
+  EXPECT_GE(frames.size(), 20u);
+  for (const std::string& frame : frames) {
+    EXPECT_EQ(read("out/depth/1/" + frame), read("stream/depth/1/" + frame)) << frame;
+    EXPECT_EQ(read("out/picture/1/" + frame), read("stream/picture/1/" + frame)) << frame;
+  }
+  EXPECT_EQ(read("out/report/1.txt"), "");
+}
+
+TEST_F(ScanStream, NamesWhatIsWrongAndKeepsTheRest) {
+  const std::size_t count = names("stream/depth/1").size();
+  write("stream/depth/1/3.png", "no picture");
+  fs::remove(path("stream/depth/1/7.png"));
+  fs::remove(path("stream/picture/1/7.png"));
+  fs::remove(path("stream/picture/1/9.png"));
+  const Ended ended = reread();
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_EQ(names("out/depth/1").size(), count - 3);
+  for (const char* text :
+       {"take 1, frame 3: 3.png", "take 1, frame 7 is missing", "take 1, frame 9: it has no picture"}) {
+    EXPECT_NE(ended.output.find(text), std::string::npos) << text << "\n" << ended.output;
+    EXPECT_NE(read("out/report/1.txt").find(text), std::string::npos) << text;
+  }
+}
+
+TEST_F(ScanStream, OneFramesThresholdRerunsThatFrameAlone) {
+  ASSERT_EQ(reread().code, 0);
+  const Ended ended = reread(R"("1/5": {"threshold_mm": 2.5})");
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  // Its removal, and the export of what is left where that is another.
+  EXPECT_TRUE(ended.output.find("\n1 run, ") != std::string::npos ||
+              ended.output.find("\n2 run, ") != std::string::npos || ended.output.starts_with("1 run, ") ||
+              ended.output.starts_with("2 run, "))
+      << ended.output;
+}
+
+TEST_F(ScanStream, ACameraFileThatCannotBeStopsTheRun) {
+  write("stream/camera.json", R"({"fx": 0, "cx": 1, "cy": 1})");
+  const Ended ended = reread();
+  EXPECT_NE(ended.code, 0);
+  EXPECT_NE(ended.output.find("camera.json: fx is 0 and fy 0 px, expected both more than 0"), std::string::npos)
+      << ended.output;
+}
+
+}  // namespace
