@@ -34,7 +34,8 @@ engine::File export_wav(const Audio& audio) {
   put(static_cast<std::uint32_t>(data_bytes), 4);
   for (std::size_t i = 0; i < audio.samples.size(); ++i) {
     check(std::isfinite(audio.samples[i]), "sample ", i, " is ", audio.samples[i], ", expected a finite number");
-    const auto level = std::lround(32767.0 * std::clamp(double{audio.samples[i]}, -1.0, 1.0));
+    const long level =
+        std::clamp(std::lround(32768.0 * std::clamp(double{audio.samples[i]}, -1.0, 1.0)), -32768L, 32767L);
     put(static_cast<std::uint32_t>(static_cast<std::int32_t>(level)), 2);
   }
   return engine::File::from_bytes(std::move(out), ".wav");

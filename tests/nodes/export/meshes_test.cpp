@@ -187,7 +187,7 @@ TEST(ExportWav, IsReadBackToHalfAStep) {
   std::ofstream(path, std::ios::binary) << file.bytes();
   const Audio back = decode::read_audio(engine::File::at(path), {}).audio;
   ASSERT_EQ(back.samples.size(), audio.samples.size());
-  for (std::size_t i = 0; i < audio.samples.size(); ++i) EXPECT_NEAR(back.samples[i], audio.samples[i], 1.0 / 32767);
+  for (std::size_t i = 0; i < audio.samples.size(); ++i) EXPECT_NEAR(back.samples[i], audio.samples[i], 0.501 / 32768);
   EXPECT_THROW_TEXT(export_wav({16000, {0, std::numeric_limits<float>::quiet_NaN()}}),
                     "sample 1 is nan, expected a finite number");
   EXPECT_THROW_TEXT(export_wav({0, {}}), "the recording has 0 samples per second, expected 1 or more");
@@ -197,7 +197,7 @@ TEST(ExportWav, ClipsAndBeginsAsWavDoes) {
   const std::string bytes = export_wav({8000, {2, -2}}).bytes();
   ASSERT_EQ(bytes.size(), 48u);
   EXPECT_EQ(bytes.substr(0, 4) + bytes.substr(8, 8), "RIFFWAVEfmt ");
-  EXPECT_EQ(bytes.substr(44), std::string("\xFF\x7F\x01\x80", 4));
+  EXPECT_EQ(bytes.substr(44), std::string("\xFF\x7F\x00\x80", 4));
 }
 
 TEST(ReadAnimation, GivesBackWhatAGlbWasWrittenWith) {
