@@ -91,7 +91,37 @@ Landmarks followed(const Landmarks& start, const std::vector<std::string>& names
   return chosen;
 }
 
-void put_right(const Landmarks& correction, const Motion* first, ChainFlowResult& result) {
+// From a point's place to where it is followed; as many as `points`.
+std::vector<Place> leans(const Landmarks& points, const Landmarks& start, double lean_px) {
+  // A point, and one from which (to which, where `towards`) it leans.
+  struct Lean {
+    const char *name, *other;
+    bool towards;
+  };
+  constexpr Lean all[] = {{"60", "48", true},  {"61", "50", true},  {"62", "51", true},  {"63", "52", true},
+                          {"64", "54", true},  {"65", "56", true},  {"66", "57", true},  {"67", "58", true},
+                          {"37", "41", false}, {"38", "40", false}, {"40", "38", false}, {"41", "37", false},
+                          {"43", "47", false}, {"44", "46", false}, {"46", "44", false}, {"47", "43", false}};
+  std::vector<Place> made;
+  for (const Landmark& point : points.points) {
+    made.push_back({0, 0});
+    for (const Lean& lean : all) {
+      if (point.name != lean.name) continue;
+      const auto other = std::find_if(start.points.begin(), start.points.end(),
+                                      [&](const Landmark& p) { return p.name == lean.other; });
+      if (other == start.points.end()) continue;
+      const double x = other->x_px - point.x_px, y = other->y_px - point.y_px, length = std::hypot(x, y);
+      if (!(length > 0)) continue;
+      // Towards another point no more than half the way.
+      const double by = lean.towards ? std::min(lean_px, length / 2) / length : -lean_px / length;
+      made.back() = {by * x, by * y};
+    }
+  }
+  return made;
+}
+
+void put_right(const Landmarks& correction, const Motion* first, const std::vector<Place>& lean,
+               ChainFlowResult& result) {
   for (const Landmark& fixed : correction.points) {
     const auto point = std::find_if(result.landmarks.points.begin(), result.landmarks.points.end(),
                                     [&](const Landmark& p) { return p.name == fixed.name; });
@@ -100,9 +130,12 @@ void put_right(const Landmarks& correction, const Motion* first, ChainFlowResult
     check(std::isfinite(fixed.x_px) && std::isfinite(fixed.y_px), "the correction of ", fixed.name, " is at (",
           fixed.x_px, ", ", fixed.y_px, "), expected finite numbers");
     *point = {fixed.name, fixed.x_px, fixed.y_px, true};
-    Landmark& home = result.home.points[static_cast<std::size_t>(point - result.landmarks.points.begin())];
-    const std::optional<Place> from = first ? first->source({fixed.x_px, fixed.y_px}) : std::nullopt;
-    home = from ? Landmark{fixed.name, from->x, from->y, true} : Landmark{fixed.name, fixed.x_px, fixed.y_px, false};
+    const auto index = static_cast<std::size_t>(point - result.landmarks.points.begin());
+    Landmark& home = result.home.points[index];
+    const Place& by = lean[index];
+    const std::optional<Place> from = first ? first->source({fixed.x_px + by.x, fixed.y_px + by.y}) : std::nullopt;
+    home = from ? Landmark{fixed.name, from->x - by.x, from->y - by.y, true}
+                : Landmark{fixed.name, fixed.x_px, fixed.y_px, false};
   }
 }
 
@@ -121,32 +154,39 @@ ChainFlowResult chain_flow(const FlowField& flow, const FlowField* from_first, c
     first.emplace(*from_first, options.half_size);
   }
   ChainFlowResult result;
+  const Landmarks beginning = followed(start, options.names);
+  const std::vector<Place> lean = leans(beginning, start, options.lean_px);
   if (!prior) {
-    result.landmarks = result.home = followed(start, options.names);
+    result.landmarks = result.home = beginning;
   } else {
-    check(prior->landmarks.points.size() == prior->home.points.size(), "the previous result has ",
-          prior->landmarks.points.size(), " points and ", prior->home.points.size(), " at home");
+    check(prior->landmarks.points.size() == lean.size() && prior->home.points.size() == lean.size(),
+          "the previous result has ", prior->landmarks.points.size(), " points, expected ", lean.size());
     result.landmarks = prior->landmarks;
     result.home = prior->home;
     for (std::size_t i = 0; i < result.landmarks.points.size(); ++i) {
       Landmark& point = result.landmarks.points[i];
       const Landmark& home = result.home.points[i];
-      const std::optional<Place> chained = point.valid ? step({point.x_px, point.y_px}) : std::nullopt;
-      const std::optional<Place> direct = first && home.valid ? (*first)({home.x_px, home.y_px}) : std::nullopt;
-      std::optional<Place> place = chained ? chained : direct;
+      const Place& by = lean[i];
+      std::optional<Place> chained, direct;
+      if (point.valid) chained = step({point.x_px + by.x, point.y_px + by.y});
+      if (first && home.valid) direct = (*first)({home.x_px + by.x, home.y_px + by.y});
+      if (!chained && !direct) {
+        point.valid = false;
+        continue;
+      }
+      Place place = chained ? *chained : *direct;
       if (chained && direct) {
         const double apart_px = std::hypot(direct->x - chained->x, direct->y - chained->y);
         if (apart_px <= options.max_pull_px) {
-          place->x += options.pull * (direct->x - chained->x);
-          place->y += options.pull * (direct->y - chained->y);
+          place.x += options.pull * (direct->x - chained->x);
+          place.y += options.pull * (direct->y - chained->y);
           result.pulled_px = std::max(result.pulled_px, apart_px);
         }
       }
-      point.valid = place.has_value();
-      if (place) point.x_px = place->x, point.y_px = place->y;
+      point = {point.name, place.x - by.x, place.y - by.y, true};
     }
   }
-  if (correction) put_right(*correction, first ? &*first : nullptr, result);
+  if (correction) put_right(*correction, first ? &*first : nullptr, lean, result);
   return result;
 }
 

@@ -11,9 +11,10 @@ namespace face::track {
 
 struct ChainFlowOptions {
   std::vector<std::string> names;  // of the start points that are followed, in this order; none = all of them
-  bool half_size = false;          // flows are of pictures of half the width and height
-  double pull = 0.3;       // share of the difference to the flow from the first frame that is taken back per frame
-  double max_pull_px = 3;  // a larger difference says that one of the two has lost the point: nothing is taken back
+  double lean_px = 2.5;
+  bool half_size = false;   // flows are of pictures of half the width and height
+  double pull = 1;          // share of the difference to the flow from the first frame that is taken back per frame
+  double max_pull_px = 20;  // a larger difference says that one of the two has lost the point: nothing is taken back
 };
 
 struct ChainFlowResult {
@@ -24,8 +25,8 @@ struct ChainFlowResult {
 
 // Follows points by stored flows (Speech-Driven 3D Facial Animation, section 3.2: any set of named points, there 48):
 // a point goes where the flow from the previous frame takes it, bilinear between its pixels. Differs from the paper: a
-// chain drifts, so that each point is pulled, by `pull` per frame, to where the flow from the first frame has it, as
-// long as the two agree to max_pull_px.
+// chain drifts (by 10 px and more in 300 frames), so that each point goes, by `pull` of the way per frame, to where the
+// flow from the first frame has it, as long as the two agree to max_pull_px.
 //
 // flow: from the previous frame to this one. from_first: from the first frame to this one, null = chains alone; both of
 // face_flow. start: the points on the first frame; the result there is those that `names` has. correction: points of

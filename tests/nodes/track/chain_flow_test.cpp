@@ -79,13 +79,15 @@ TEST(ChainFlow, IsPulledToTheFlowFromTheFirstFrame) {
   drifting[0] = still();
   EXPECT_NEAR(run(drifting, {})[40].landmarks.points[0].x_px, 24, 1e-4);
   // Where 0.1 px come and 0.3 of the difference goes: 0.1 (1 - 0.3) / 0.3.
-  const auto held = run(drifting, first);
+  ChainFlowOptions options;
+  options.pull = 0.3;
+  const auto held = run(drifting, first, {}, options);
   EXPECT_NEAR(held[40].landmarks.points[0].x_px, 20 + 0.07 / 0.3, 1e-3);
   EXPECT_NEAR(held[40].pulled_px, 0.1 / 0.3, 1e-3);
 }
 
 TEST(ChainFlow, AFlowThatHasLostThePointDoesNotPull) {
-  const auto found = run({still(), still()}, {still(), shift(8, 0)});
+  const auto found = run({still(), still()}, {still(), shift(28, 0)});
   EXPECT_EQ(found[1].landmarks.points[0].x_px, 20);
   EXPECT_EQ(found[1].pulled_px, 0);
 }
@@ -119,6 +121,25 @@ TEST(ChainFlow, FollowsTheNamedPointsAlone) {
   options.names = {"49"};
   EXPECT_THROW_TEXT(run({still()}, {}, {}, options),
                     "names has the point 49, which start does not have; it has 00, 48");
+}
+
+TEST(ChainFlow, PartsTheLipsOfAShutMouth) {
+  // Inner lips in one place; above it all goes up, below it down.
+  const Landmarks shut{{{"51", 30, 20, true}, {"62", 30, 25, true}, {"66", 30, 25, true}, {"57", 30, 31, true}}};
+  const FlowField part = field([](double, double y) { return Vec2f{0, y < 25 ? -1.0f : y > 25 ? 3.0f : 0.0f}; });
+  const auto at = [&](double lean_px) {
+    ChainFlowOptions options;
+    options.lean_px = lean_px;
+    const ChainFlowResult first = chain_flow(still(), nullptr, shut, nullptr, {}, options);
+    EXPECT_EQ(first.landmarks.points[1].y_px, 25);
+    return chain_flow(part, nullptr, shut, nullptr,
+                      engine::Prior<ChainFlowResult>(std::make_shared<const ChainFlowResult>(first)), options)
+        .landmarks.points;
+  };
+  EXPECT_EQ(at(0)[1].y_px, 25);
+  EXPECT_NEAR(at(2)[1].y_px, 24, 1e-6);
+  EXPECT_NEAR(at(2)[2].y_px, 28, 1e-6);
+  EXPECT_NEAR(at(2)[0].y_px, 19, 1e-6);
 }
 
 TEST(ChainFlow, APointOutsideTheFlowKeepsItsPlaceAndComesBack) {
