@@ -387,11 +387,11 @@ TEST_F(Guides, ExperimentsRun) {
 }
 
 TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
-  write("say.json", R"({"facegraph": 1, "params": {"text": {"type": "path", "default": "said.txt"}}, "nodes": {
+  write("say.json", R"({"facegraph": 1, "params": {"text": {"type": "path", "default": "script.txt"}}, "nodes": {
     "script": {"node": "decode.text", "inputs": {"file": "${text}"}},
     "say": {"node": "speech.say", "inputs": {"text": "script"}},
     "wav": {"node": "export.wav", "inputs": {"audio": "say.audio"}}}, "outputs": {"line.wav": "wav"}})");
-  write("said.txt", "My name is Bob, and I move my mouth.");
+  write("script.txt", "My name is Bob, and I move my mouth.");
   ASSERT_EQ(command({"run", "say.json", "--out", ".", "--quiet"}).code, 0);
   const test::Ended ended = follow("first-hour.md", 12, {{"cd mine", "cp ../line.wav ."}});
   EXPECT_EQ(ended.code, 0) << ended.output;
@@ -399,6 +399,15 @@ TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
                            "mine/frames/talk/0.obj", "mine/sweep/sweep.csv", "mine/compare.html", "mine/report.html"})
     EXPECT_TRUE(exists(made)) << made;
   EXPECT_NE(ended.output.find("head.glb: 52 shapes; 52 of ARKit's 52 are there"), std::string::npos) << ended.output;
+}
+
+TEST_F(Guides, ASweepAndAReportOfEachSystemRun) {
+  const test::Ended ended = follow("systems.md", 11);
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  for (const char* name : {"speech", "video", "scans", "laser", "pictures"}) {
+    EXPECT_TRUE(exists(std::string(name) + "/sweep.csv")) << name;
+    EXPECT_TRUE(exists(std::string(name) + ".html")) << name;
+  }
 }
 
 // Graphs that compare or check files are valid, as those of graphs/ are.
