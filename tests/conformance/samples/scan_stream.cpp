@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes of several areas that read, write and judge recorded streams of scans.
-#include "tests/conformance/samples/area_samples.h"
+#include "tests/conformance/samples/shared.h"
 
 namespace conformance {
 namespace {
 
 const Registered scan_stream({
+    .inputs = {{"evaluate.mesh_lip_gap.truth", another("mesh_points")},
+               {"evaluate.mesh_lip_gap.timeline", spread_timeline}},
     .params = {{"model.measure_leakage.components", whole(1)}},
     .values = {{"model.measure_leakage.shape", {text("jawOpen")}}},
     .without_sample =
