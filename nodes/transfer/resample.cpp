@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
@@ -158,12 +159,21 @@ ResampleScanResult resample_scan(const SurfaceMap& places, const Rig& head, cons
   return result;
 }
 
-SurfaceMap scan_places(const SurfaceMap& truth, const Mesh& mesh) {
+SurfaceMap scan_places(const SurfaceMap& truth, const Mesh& mesh, const Rig* head) {
   const std::size_t pixels = static_cast<std::size_t>(truth.width) * static_cast<std::size_t>(truth.height);
   check(truth.triangle.size() == pixels && truth.weights.size() == pixels, "truth has ", truth.triangle.size(),
         " triangles and ", truth.weights.size(), " weights, expected ", truth.width, " x ", truth.height);
   check(mesh.uvs.size() == mesh.points_mm.size(), "mesh has ", mesh.uvs.size(), " uvs, expected one for each of its ",
         mesh.points_mm.size(), " points");
+  std::vector<std::uint8_t> behind_lips;  // per triangle of the head
+  if (head) {
+    const render::Triangulation all = render::triangulate(head->neutral, false);
+    for (const std::uint16_t p : all.parts) {
+      const std::string part = head->neutral.parts.empty() ? std::string() : head->neutral.parts[p].name;
+      const auto holds = [&part](const char* word) { return part.find(word) != std::string::npos; };
+      behind_lips.push_back(holds("mouth") || holds("gums") || holds("teeth") || holds("tongue") ? 1 : 0);
+    }
+  }
   const int count = static_cast<int>(mesh.uvs.size());
   SurfaceMap places{count, 1, std::vector<std::int32_t>(mesh.uvs.size(), -1), std::vector<Vec2f>(mesh.uvs.size())};
   for (std::size_t v = 0; v < mesh.uvs.size(); ++v) {
@@ -171,7 +181,11 @@ SurfaceMap scan_places(const SurfaceMap& truth, const Mesh& mesh) {
     const int y = static_cast<int>(std::floor((1 - mesh.uvs[v][1]) * static_cast<float>(truth.height)));
     if (x < 0 || y < 0 || x >= truth.width || y >= truth.height) continue;
     const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width) + static_cast<std::size_t>(x);
-    places.triangle[v] = truth.triangle[i];
+    const std::int32_t t = truth.triangle[i];
+    check(!head || t < static_cast<std::int32_t>(behind_lips.size()), "truth shows triangle ", t, ", the head has ",
+          behind_lips.size());
+    if (head && t >= 0 && behind_lips[static_cast<std::size_t>(t)]) continue;
+    places.triangle[v] = t;
     places.weights[v] = truth.weights[i];
   }
   return places;

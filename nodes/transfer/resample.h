@@ -38,7 +38,8 @@ ResampleScanResult resample_scan(const SurfaceMap& places, const Rig& head, cons
 
 // Where every vertex of a scanned mesh is on the head that was scanned: truth, the point that every pixel of the scan
 // shows (phantom.scan_frame), at the vertices' pixels. V x 1. mesh: of model.scan_mesh, whose uvs are places in the
-// scan's picture.
-SurfaceMap scan_places(const SurfaceMap& truth, const Mesh& mesh);
+// scan's picture. head: a pixel at the lips' edge that shows what is behind them (parts of mouth, gums, teeth and
+// tongue) has no place; null = all have.
+SurfaceMap scan_places(const SurfaceMap& truth, const Mesh& mesh, const Rig* head);
 
 }  // namespace face::transfer

@@ -272,8 +272,15 @@ TEST(ScanPlaces, ReadsTheTruthAtEveryVertexPixel) {
     truth.triangle.push_back(i);
     truth.weights.push_back({0.25f, static_cast<float>(i)});
   }
-  const SurfaceMap places = scan_places(truth, mesh);
+  const SurfaceMap places = scan_places(truth, mesh, nullptr);
   for (std::size_t v = 0; v < places.triangle.size(); ++v) EXPECT_EQ(places.triangle[v], static_cast<int>(v));
+  // The first hundred squares are teeth, two triangles each.
+  Rig head = rig_of(mesh);
+  head.neutral.parts = {{"teeth", 0, 100, {1, 1, 1}, 0, true},
+                        {"face", 100, static_cast<std::uint32_t>(mesh.polygon_count()) - 100, {1, 1, 1}, 0, true}};
+  const SurfaceMap skin = scan_places(truth, mesh, &head);
+  EXPECT_EQ(skin.triangle[199], -1);
+  EXPECT_EQ(skin.triangle[200], 200);
 }
 
 TEST(RestShape, IsTheMeanOfSilence) {

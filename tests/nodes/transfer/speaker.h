@@ -66,7 +66,7 @@ struct Speaker {
       reference.depth_mm[i] = static_cast<float>(face::pixel_of(reference.camera, p).depth_mm);
     }
     mesh = face::model::scan_mesh(reference);
-    places = face::transfer::scan_places(seen, mesh);
+    places = face::transfer::scan_places(seen, mesh, &person);
     axis = face::align::fit_axis(reference).axis;
     rest = face::transfer::resample(places, person, nullptr, nullptr, mesh, {mesh.points_mm});
     face::Random random(7);
