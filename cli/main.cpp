@@ -195,7 +195,7 @@ int main(int count, char** words) {
 
   CLI::App* doctor_command = app.add_subcommand("doctor", "Look for what a run would stumble over");
   cli::DoctorArguments doctor;
-  doctor_command->add_option("file", doctor.file, "A file or folder of your own to look at, such as head.glb");
+  doctor_command->add_option("file", doctor.file, "A file or folder of your own to look at");
   doctor_command->add_option("--set", doctor.sets, "A parameter of what looks at it")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);

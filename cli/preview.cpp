@@ -28,7 +28,7 @@ constexpr const char* style = R"(
 body{margin:0;font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1d2733;background:#f5f7f9}
 main{max-width:72rem;margin:0 auto;padding:1rem}
 h1{font-size:1.5rem;margin:.5rem 0}h2{font-size:1.15rem;margin:1.5rem 0 .5rem}
-h3{font-size:1rem;margin:.9rem 0 .3rem;font-weight:600}
+h3{font-size:1rem;margin:.9rem 0 .3rem;font-weight:600}h1,h2,h3,p{overflow-wrap:anywhere}
 section{background:#fff;border:1px solid var(--line);border-radius:6px;padding:.8rem 1rem;margin:.8rem 0}
 section:target{border-color:#5a86c4;box-shadow:0 0 0 2px #cfe0f6}
 .wide{overflow-x:auto;max-width:100%}
