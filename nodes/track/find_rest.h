@@ -6,9 +6,9 @@
 namespace face::track {
 
 struct FindRestOptions {
-  double from_share = 0.05;  // of the frames, by the height of the lips: thinner ones are pressed together
-  double to_share = 0.5;     // and thicker ones are open
-  double still_share = 0.1;  // of all frames: so many of these, those in which the mouth moves least; 1 = all of them
+  double from_share = 0.05;   // of the frames, by the height of the lips: thinner ones are pressed together
+  double to_share = 0.33;     // and thicker ones are open
+  double still_share = 0.05;  // of all frames: so many of these, those in which the mouth moves least; 1 = all of them
 };
 
 // The points of a face whose mouth is shut, when nobody knows which frame shows it: the mean of the frames whose outer

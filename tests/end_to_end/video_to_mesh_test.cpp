@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/end_to_end/command.h"
 
@@ -30,18 +32,43 @@ class VideoToMesh : public test::CommandTest {
     }
     return values;
   }
+
+  // Runs phantom_tiny.json; how many tasks of each node ran.
+  std::map<std::string, int> run_tiny(const Words& more) const {
+    const Ended ended = wait(start(Words{"--store", path("store"), "run", graph("video_to_mesh/phantom_tiny.json"),
+                                         "--quiet", "--out", path("out"), "--events", path("events.ndjson")} +
+                                   more));
+    EXPECT_EQ(ended.code, 0) << ended.output;
+    std::map<std::string, int> ran;
+    for (const std::string& line : test::lines_of(read("events.ndjson"))) {
+      const auto event = nlohmann::json::parse(line);
+      if (event["event"] == "finished") ++ran[event["node"]];
+    }
+    return ran;
+  }
 };
 
 TEST_F(VideoToMesh, FollowsThePhantomsLipsAndSaysSomethingNew) {
-  const Ended ended = wait(start(
-      {"--store", path("store"), "run", graph("video_to_mesh/phantom_tiny.json"), "--quiet", "--out", path("out")}));
-  ASSERT_EQ(ended.code, 0) << ended.output;
+  const auto first = run_tiny({});
   EXPECT_LT(row("out/track.csv", "all")["rms_px"], 1.5);
   EXPECT_GT(row("out/mapped.csv", "all")["lip_error_mm"], 0);
   EXPECT_LT(row("out/mapped.csv", "all")["mve_mm"], 1);
   EXPECT_GT(row("out/spoken_closures.csv", "own")["closure_percent"],
             row("out/plain_closures.csv", "own")["closure_percent"]);
   for (const char* film : {"compare.mp4", "talk.mp4"}) EXPECT_GT(read(std::string("out/") + film).size(), 10000u);
+
+  // Another lambda: both paths and what follows them, and what is not stored of that sentence; nothing of the clip.
+  const int frames = first.at("meshes");
+  std::map<std::string, int> most = {{"path", 1}, {"plain_path", 1}, {"new_true_points", 2 * frames}};
+  for (const char* node : {"spoken_head", "spoken_score", "closures", "spoken_film", "spoken_csv", "closures_csv",
+                           "plain_head", "plain_score", "plain_closures", "plain_csv", "plain_closures_csv"})
+    most[node] = 1;
+  for (const char* node : {"meshes", "plain_meshes", "spoken_picture", "spoken_beside"}) most[node] = frames;
+  const auto again = run_tiny({"--set", "smoothness=20"});
+  for (const auto& [node, count] : again) EXPECT_LE(count, most.contains(node) ? most.at(node) : 0) << node;
+  for (const char* node : {"path", "plain_path", "meshes", "spoken_film"})
+    EXPECT_EQ(again.contains(node) ? again.at(node) : 0, most.at(node)) << node;
+  EXPECT_EQ(run_tiny({"--set", "smoothness=20"}), (std::map<std::string, int>()));
 }
 
 TEST_F(VideoToMesh, GraphsForARealClipAreValid) {

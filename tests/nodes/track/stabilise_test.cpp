@@ -120,4 +120,7 @@ TEST(Stabilise, RejectsDepthsOfAnotherNumberOfPoints) {
   const Matrix depths{3, 1, {0, 0, 40}};
   EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths),
                     "depths_px is 3 x 1, expected 4 x 1 as rest has points");
+  const Matrix empty{4, 1, {}};
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &empty),
+                    "depths_px is 4 x 1 with another number of values, expected 4 x 1 as rest has points");
 }

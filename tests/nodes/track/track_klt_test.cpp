@@ -250,6 +250,27 @@ TEST(TrackKlt, NamesABlackFrameAndFindsThePointsAfterIt) {
   EXPECT_LE(rms_px(again.landmarks, 9, -6), 0.1);
 }
 
+TEST(TrackKlt, SaysThatTheFaceHasLeftThePictureAndFindsItWhenItIsBack) {
+  auto last = picture(0, 0);
+  TrackKltResult result = first(last);
+  int valid = 0;
+  for (int i = 1; i <= 22; ++i) {
+    const auto image = picture(-6.0 * i, 0);
+    result = next(last, image, result);
+    last = image;
+    valid += result.valid ? 1 : 0;
+  }
+  EXPECT_GE(valid, 8);  // while a third of the points is in it
+  EXPECT_FALSE(result.valid);
+  EXPECT_EQ(result.state, "lost");
+  EXPECT_EQ(result.lost, 12);
+  for (const Landmark& point : result.landmarks.points) EXPECT_GE(point.x_px, -0.5) << point.name;  // last good places
+  const TrackKltResult back = next(last, picture(3, 2), result);
+  EXPECT_EQ(back.state, "found");
+  EXPECT_TRUE(back.valid);
+  EXPECT_LE(rms_px(back.landmarks, 3, 2), 0.1);
+}
+
 TEST(TrackKlt, NamesACutAndSeesNothingInAnotherPicture) {
   const auto before = picture(0, 0);
   Random random(5);

@@ -33,7 +33,9 @@ Score score(const test::PhantomClip& clip) {
   return found;
 }
 
-const std::string sentence = "My mother baked five warm loaves of bread this morning.";
+// graphs/phantom/sentences/02.txt
+const std::string sentence =
+    "My mother baked five warm loaves of bread this morning, and we ate them with butter and honey.";
 
 }  // namespace
 
