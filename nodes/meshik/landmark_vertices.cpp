@@ -10,6 +10,10 @@ std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& l
   const auto place = [](const std::string& name) -> int {
     for (int i = 0; i < 12; ++i)
       if (name == "lip_" + std::to_string(i)) return 48 + i;
+    if (name.size() == 2 && name[0] >= '0' && name[0] <= '6' && name[1] >= '0' && name[1] <= '9') {
+      const int number = 10 * (name[0] - '0') + name[1] - '0';
+      return number < 68 ? number : -1;
+    }
     if (name == "jaw_r") return 7;
     if (name == "chin") return 8;
     if (name == "jaw_l") return 9;

@@ -43,6 +43,16 @@ TEST(LandmarkDepths, DoNotChangeWithTheRigsUnits) {
   EXPECT_NEAR(landmark_depths(rig, small_face()).at(3, 0), 40, 1e-4);
 }
 
+TEST(LandmarkDepths, KnowThePointsByTheirNumbersToo) {
+  Landmarks face = small_face();
+  const char* names[] = {"48", "54", "08", "30"};
+  for (std::size_t i = 0; i < 4; ++i) face.points[i].name = names[i];
+  EXPECT_EQ(landmark_depths(small_rig(), face).values, landmark_depths(small_rig(), small_face()).values);
+  // No such number: a point of another name.
+  face.points.push_back({"68", 80, 80});
+  EXPECT_NEAR(landmark_depths(small_rig(), face).at(4, 0), 7.5, 1e-9);
+}
+
 TEST(LandmarkDepths, OfAnUnknownPointIsTheMean) {
   Landmarks face = small_face();
   face.points.push_back({"mole", 80, 80});
