@@ -47,8 +47,11 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
   check(!options.rigid.empty(), "rigid names no point");
   check(options.smooth_frames >= 0, "smooth_frames is ", options.smooth_frames, ", expected at least 0");
   if (depths_px != nullptr)
-    check(depths_px->rows == rest.points.size() && depths_px->columns == 1, "depths_px is ", depths_px->rows, " x ",
-          depths_px->columns, ", expected ", rest.points.size(), " x 1 as rest has points");
+    check(depths_px->rows == rest.points.size() && depths_px->columns == 1 &&
+              depths_px->values.size() == rest.points.size(),
+          "depths_px is ", depths_px->rows, " x ", depths_px->columns,
+          depths_px->values.size() == depths_px->rows * depths_px->columns ? "" : " with another number of values",
+          ", expected ", rest.points.size(), " x 1 as rest has points");
   std::vector<Pair> pairs = pairs_of(landmarks.centre(), rest, depths_px, options, 1);
   Landmarks moved = landmarks.centre();
   if (pairs.empty()) {
