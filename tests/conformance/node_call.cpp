@@ -42,9 +42,14 @@ class MemoryCall final : public engine::Call, public engine::Progress {
   }
   WindowValues window(std::size_t input) override {
     const engine::InputInfo& port = node_.info.inputs[input];
-    const std::vector<AnyValue>& elements = inputs_[input].elements;
+    std::vector<AnyValue> elements = inputs_[input].elements;
     const std::size_t last = elements.empty() ? 0 : elements.size() - 1;
-    return {elements, port.before == 0 ? 0 : port.after == 0 ? last : elements.size() / 2};
+    std::size_t centre = port.before == 0 ? 0 : port.after == 0 ? last : elements.size() / 2;
+    if (node_.info.prior && prior_.empty() && centre > 0) {  // about the preceding element
+      elements.pop_back();
+      --centre;
+    }
+    return {elements, centre};
   }
   std::vector<AnyValue> prior() override { return prior_; }
   const engine::ParamValue& param(std::size_t index) override { return params_[index]; }

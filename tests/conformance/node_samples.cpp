@@ -20,22 +20,21 @@ void add(Map& all, const Map& of_area) {
     if (!all.emplace(name, value).second) throw std::logic_error("samples: " + name + " is there twice");
 }
 
-// Values travel as void pointers: another type would be read as the port's.
-AnyValue checked(const Sample& sample, const std::string& port, const std::string& type) {
-  if (sample.value && sample.type != type)
-    throw std::logic_error("the sample of " + port + " is " + sample.type + ", expected " + type);
-  return sample.value;
-}
-
 AnyValue sample_of(engine::Plugins& plugins, const std::string& port, const std::string& type, int variant) {
   if (const auto own = areas().inputs.find(port); own != areas().inputs.end())
-    return checked(own->second(plugins, variant), port, type);
+    return checked_sample(own->second(plugins, variant), port, type);
   if (const auto made = areas().types.find(type); made != areas().types.end())
-    return checked(made->second(plugins, variant), port, type);
+    return checked_sample(made->second(plugins, variant), port, type);
   return test::sample(type, variant);
 }
 
 }  // namespace
+
+AnyValue checked_sample(const Sample& sample, const std::string& port, const std::string& type) {
+  if (sample.value && sample.type != type)
+    throw std::logic_error("the sample of " + port + " is " + sample.type + ", expected " + type);
+  return sample.value;
+}
 
 Registered::Registered(AreaSamples area) {
   AreaSamples& all = areas();
@@ -85,12 +84,12 @@ std::optional<PortValue> port_sample(engine::Plugins& plugins, const engine::Nod
     sample.value = sample_of(plugins, name, info.type, variant);
     if (!sample.value) return std::nullopt;
     if (const auto own = areas().before.find(name); own != areas().before.end())
-      sample.before = checked(own->second(plugins, variant), name, info.type);
+      sample.before = checked_sample(own->second(plugins, variant), name, info.type);
     return sample;
   }
   if (const auto own = areas().sequences.find(name); own != areas().sequences.end()) {
     for (const Sample& element : own->second(plugins, variant))
-      sample.elements.push_back(checked(element, name, info.type));
+      sample.elements.push_back(checked_sample(element, name, info.type));
   } else {
     const auto length = areas().lengths.find(name);
     const int count = length == areas().lengths.end() ? 4 : length->second;

@@ -10,6 +10,7 @@
 #include "engine/plugin/plugins.h"
 #include "tests/conformance/node_samples.h"
 #include "tests/conformance/rules.h"
+#include "tests/support/expect_throw_text.h"
 
 namespace {
 
@@ -99,6 +100,13 @@ TEST(EveryNode, HasTheSamplesThatAreWrittenForIt) {
       for (const auto& [param, value] : setting) expect_part(node + "." + param, true, false);
   for (const auto& [name, reason] : all.without_sample)
     EXPECT_TRUE(!is_built(name) || plugins().find(name)) << name << ": is listed as without samples and does not exist";
+}
+
+TEST(Samples, OfAnotherTypeThanTheirPortsAreRefused) {
+  const conformance::Sample text = conformance::held(std::string("a"));
+  EXPECT_EQ(conformance::checked_sample(text, "toy.upper.text", "text"), text.value);
+  EXPECT_THROW_TEXT(conformance::checked_sample(text, "meshik.transfer_landmarks.key_shapes", "key_shapes"),
+                    "the sample of meshik.transfer_landmarks.key_shapes is text, expected key_shapes");
 }
 
 // A test for each node, so that a new one has it with nothing written: EachNode.track_klt.

@@ -3,6 +3,8 @@
 
 #include "nodes/types/matrix.h"
 #include "nodes/types/mesh.h"
+#include "nodes/types/mesh_points.h"
+#include "nodes/types/rig.h"
 #include "tests/conformance/samples/shared.h"
 #include "tests/support/samples.h"
 
@@ -15,6 +17,31 @@ const Maker faces = made([](int variant) {
   const auto from = static_cast<std::ptrdiff_t>(variant == 0 ? 0 : 3);
   return face::Matrix{4, 3, {all.begin() + from, all.begin() + from + 12}};
 });
+
+// Poses of which the upper half stands still.
+const Maker half_still = changed<face::Mesh>(another("mesh", 0), [](face::Mesh& mesh, int variant) {
+  const auto rest = *static_cast<const face::Mesh*>(test::sample("mesh", 0).get());
+  for (std::size_t v = 0; v < mesh.points_mm.size(); ++v)
+    if (rest.points_mm[v][1] > static_cast<float>(8 * variant)) mesh.points_mm[v] = rest.points_mm[v];
+});
+
+// What belongs to the head that meshik.simplify makes.
+Sample simple_space(engine::Plugins& plugins, int variant) {
+  if (!plugins.find("meshik.prepare")) return {};
+  const auto rig = value_of<face::Rig>(made_by("meshik.simplify", "rig"), plugins, variant);
+  PortValues inputs(2);
+  inputs[0].value = held(rig.neutral).value;
+  for (const Sample& example : sequence_by("meshik.simplify", "simple_examples")(plugins, variant))
+    inputs[1].elements.push_back(example.value);
+  const engine::NodeDeclaration& prepare = plugins.load("meshik.prepare");
+  const Outcome outcome = call_node(prepare, inputs, defaults_of(prepare.info));
+  return {outcome.values.at(0).at(0), "mesh_space"};
+}
+Sample simple_points(engine::Plugins& plugins, int variant) {
+  face::MeshPoints points{value_of<face::Rig>(made_by("meshik.simplify", "rig"), plugins, 0).neutral.points_mm};
+  for (face::Vec3f& point : points.points_mm) point[2] += 0.1f * point[1] * static_cast<float>(variant + 1);
+  return held(points);
+}
 
 const Registered meshik({
     .inputs =
@@ -29,8 +56,15 @@ const Registered meshik({
             {"meshik.reconstruct_matrix.reference", matrices(4, 3)},
             {"meshik.reconstruct_matrix.examples", matrices(4, 12)},
             {"meshik.reconstruct_matrix.faces", faces},
+            {"meshik.landmark_depths.neutral", speaker_points},
+            {"meshik.still_vertices.examples", half_still},
+            {"meshik.carry_fine.simple_space", simple_space},
+            {"meshik.carry_fine.binding", made_by("meshik.simplify", "binding")},
+            {"meshik.carry_fine.points", simple_points},
+            {"meshik.carry_fine.weights", few_weights},
         },
     .types = {{"mesh_space", made_by("meshik.prepare", "space")}},
+    .params = {{"meshik.simplify.vertices", whole(200)}},
 });
 
 }  // namespace

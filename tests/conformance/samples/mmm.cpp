@@ -19,8 +19,10 @@ const Maker perspective = made([](int variant) {
 
 // As many as a model of two pictures has.
 const Maker parameters = made([](int variant) {
-  const float more = 0.1f * static_cast<float>(variant);
-  return face::Weights{{0.4f + more, 0.6f, 0.7f - more, 0.3f + more}};
+  face::Weights weights;
+  for (int k = 0; k < 4; ++k)
+    weights.values.push_back(0.5f + 0.2f * static_cast<float>(std::sin(1.9 * variant + k * (2 + variant))));
+  return weights;
 });
 
 // A video that ends with the phones; variants end later.
@@ -53,6 +55,15 @@ const Registered mmm({
             {"mmm.warp_perspective.perspective", perspective},
             {"mmm.build.exemplars", columns_of({{0, 2}, {1, 3}})},
             {"mmm.synthesise.parameters", parameters},
+            {"mmm.add_grain.parameters", parameters},
+            {"mmm.add_grain.image", made_by("mmm.synthesise", "image")},
+            {"mmm.find_components.parameters", parameters},
+            {"mmm.to_components.components", made_by("mmm.find_components", "components")},
+            {"mmm.to_components.parameters", parameters},
+            {"mmm.from_components.components", made_by("mmm.find_components", "components")},
+            {"mmm.from_components.numbers", made_by("mmm.to_components", "numbers")},
+            {"mmm.refine_speaker.weights", few_weights},
+            {"mmm.refine_speaker.timeline", spread_timeline},
             {"mmm.check_labels.timeline", spoken_timeline},
         },
     .types = {{"mmm", made_by("mmm.build", "model")}},

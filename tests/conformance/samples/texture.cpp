@@ -23,6 +23,7 @@ const Registered texture({
             {"texture.reveal_background.mask", disc},
             {"texture.continue_background.mask", disc},
             {"texture.reanimate.model", sized_model},
+            {"texture.reanimate.background", another("image", 2)},
             {"texture.reanimate.person", small_person},
             {"texture.reanimate.weights", opening_mouth},
             {"texture.render_into.person", small_person},

@@ -5,6 +5,7 @@
 
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 #include "nodes/types/timeline.h"
 #include "tests/conformance/samples/shared.h"
 
@@ -16,40 +17,57 @@ const Maker states = made([](int variant) {
   return all[static_cast<std::size_t>(variant) % all.size()];
 });
 
-// A mouth on a face that moves by a pixel from frame to frame, wider open in each; in every second frame a hand hides
-// an eye, and in the second the tip of the nose has gone 7 px ahead.
+// A face of 128 x 96 pixels that moves by a pixel from frame to frame, its mouth wider open and its chin lower in each;
+// in the second a hand hides an eye and the tip of the nose has gone 7 px ahead.
 const Maker clip = made([](int variant) {
-  face::Image image{64, 48, 3, {}};
+  face::Image image{128, 96, 3, {}};
+  const double open = 0.8 * variant;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const double u = x - variant, v = y;
-      const double grain = 9 * std::sin(1.9 * u + 0.7 * v) * std::cos(1.3 * v - 0.5 * u) +
-                           14 * std::sin(0.63 * u - 0.2 * v) * std::sin(0.71 * v);
+      const double grain = 12 * std::sin(0.95 * u + 0.35 * v) * std::cos(0.65 * v - 0.25 * u) +
+                           14 * std::sin(0.31 * u - 0.1 * v) * std::sin(0.35 * v) +
+                           4 * std::sin(12.9 * x + 78.2 * y + 37 * variant);  // of the camera
       double red = 170 + grain, green = 120 + grain, blue = 100 + grain;
-      const double across = (u - 32) / 8, along = (v - 34) / (3 + 0.4 * variant);
-      if (across * across + along * along < 1) red = 160, green = 60 + grain, blue = 70;
-      if (std::abs(along) < 0.2 && std::abs(across) < 0.9) red = green = blue = 30;
+      if (v > 88 + open - 0.012 * (u - 64) * (u - 64)) red = green = blue = 40 + 0.5 * grain;  // below the chin
+      const double across = (u - 64) / 16, along = (v - 64) / (6 + open);
+      if (across * across + along * along < 1) red = 160 + grain, green = 60 + grain, blue = 70;
+      if (std::abs(v - 64) < 0.6 + open && std::abs(across) < 0.9) red = green = blue = 30;
       const double ahead = variant == 1 ? 7 : 0;
-      if (std::hypot(u - 32 - ahead, v - 22) < 3) red = green = blue = 220 + 10 * std::sin(u);
-      for (const double eye : {26.0, 38.0})
-        if (std::hypot(u - eye, v - 14) < 2.5) red = green = blue = 50 + 20 * std::cos(2 * u + v);
-      if (variant % 2 == 1 && std::hypot(x - 27, y - 14) < 7) red = 190, green = 150, blue = 130;
+      if (std::hypot(u - 64 - ahead, v - 42) < 5) red = green = blue = 220 + 15 * std::sin(0.8 * u) * std::cos(v);
+      for (const double eye : {52.0, 76.0})
+        if (std::hypot(u - eye, v - 28) < 5) red = green = blue = 50 + 30 * std::cos(u + 0.5 * v);
+      if (variant % 2 == 1 && std::hypot(x - 54, y - 28) < 12) red = 190, green = 150, blue = 130;
       for (const double value : {red, green, blue})
         image.pixels.push_back(static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0)));
     }
   return image;
 });
-// On the outline of that mouth.
-const Maker first_points = changed<face::Landmarks>(speaker_points, [](face::Landmarks& landmarks, int) {
-  for (int i = 0; i < 12; ++i) {
-    face::Landmark& point = landmarks.points[static_cast<std::size_t>(3 + i)];
-    point.x_px = 32 - 8 * std::cos(M_PI * i / 6);
-    point.y_px = 34 - 3 * std::sin(M_PI * i / 6);
-  }
+// On that face in the frame before the first.
+const Maker first_points = made([](int variant) {
+  const double by = 0.2 * variant;
+  face::Landmarks landmarks{{{"eye_inner_r", 52 + by, 28, true}, {"eye_inner_l", 76, 28, true}}};
+  landmarks.points.push_back({"nose_tip", 64 + by, 42, true});
+  for (int i = 0; i < 12; ++i)
+    landmarks.points.push_back(
+        {"lip_" + std::to_string(i), 64 - 16 * std::cos(M_PI * i / 6), 64 - 6 * std::sin(M_PI * i / 6), true});
+  landmarks.points.push_back({"jaw_r", 52, 86.3, true});
+  landmarks.points.push_back({"chin", 64, 88 + by, true});
+  landmarks.points.push_back({"jaw_l", 76, 86.3, true});
+  return landmarks;
+});
+// Boxes farther to the right.
+const Maker drifting_points = changed<face::Landmarks>(another("landmarks", 0), [](auto& landmarks, int variant) {
+  for (face::Landmark& point : landmarks.points) point.x_px += 4 * variant;
+});
+const Maker depths = made([](int variant) {
+  face::Matrix column{15, 1, {}};
+  for (int i = 0; i < 15; ++i) column.values.push_back((1 + 0.3 * variant) * std::sin(1.1 * i));
+  return column;
 });
 
 const Maker correction = made([](int variant) {
-  return face::Landmarks{{{"lip_3", 33.0 + 0.5 * variant, 32.0 - 0.5 * variant, true}}};
+  return face::Landmarks{{{"lip_3", 65 + 0.5 * variant, 57 - 0.5 * variant, true}}};
 });
 
 // Four frames of which one is shown longer.
@@ -66,12 +84,17 @@ const Registered track({
             {"track.klt.start", first_points},
             {"track.klt.frames", clip},
             {"track.klt.correction", correction},
+            {"track.face_flow.start", drifting_points},
+            {"track.stabilise.depths_px", depths},
+            {"track.chain_flow.start", two_digit_points},
+            {"track.chain_flow.correction", two_digit_points},
             {"track.chain_flow.from_first", another("flow_field", 2)},
             {"track.report.landmarks", losing_points(speaker_points)},
             {"track.report.state", states},
             {"track.report.timeline", uneven_timeline},
         },
     .params = {{"track.face_flow.margin", 0.1}},
+    .values = {{"track.klt.max_return_error_px", {50.0}}},
 });
 
 }  // namespace
