@@ -9,13 +9,18 @@
 
 namespace face::transfer {
 
-MarkLipsResult mark_lips(const Rig& rig, const Mesh& mesh, const MarkLipsOptions& options) {
+MarkLipsResult mark_lips(const Rig& rig, const Mesh& mesh, const MarkLipsOptions& options, engine::Progress& progress) {
   check(rig.neutral.points_mm.size() == mesh.points_mm.size(), "rig has ", rig.neutral.points_mm.size(),
         " vertices, the mesh ", mesh.points_mm.size());
   const MouthOpening mouth = find_mouth_opening(mesh);
-  check(mouth.found(), "the mesh of ", mesh.points_mm.size(),
-        " points has no opening of a mouth, expected a reference whose lips are apart");
-  MarkLipsResult result{rig, {}};
+  MarkLipsResult result{rig, {std::vector<std::uint8_t>(mesh.points_mm.size(), 0)}, mouth.found()};
+  if (!mouth.found()) {
+    progress.warn(
+        message("the reference's mesh of ", mesh.points_mm.size(),
+                " points has no opening of a mouth: take a reference whose lips are farther apart (openness), "
+                "and see in the review that its mouth was cleared"));
+    return result;
+  }
   const auto x_of = [&](std::uint32_t v) { return static_cast<double>(mesh.points_mm[v][0]); };
   const double middle = 0.5 * (x_of(mouth.right_corner) + x_of(mouth.left_corner));
   const double half = 0.5 * options.middle_share * (x_of(mouth.left_corner) - x_of(mouth.right_corner));
@@ -31,7 +36,7 @@ MarkLipsResult mark_lips(const Rig& rig, const Mesh& mesh, const MarkLipsOptions
   edge.insert(edge.end(), mouth.lower.begin(), mouth.lower.end());
   const std::vector<float> distance =
       distances_from(neighbours_of(mesh), mesh.points_mm, edge, static_cast<float>(options.reach_mm));
-  for (const float d : distance) result.lips.on.push_back(std::isfinite(d) ? 1 : 0);
+  for (std::size_t v = 0; v < distance.size(); ++v) result.lips.on[v] = std::isfinite(distance[v]) ? 1 : 0;
   return result;
 }
 

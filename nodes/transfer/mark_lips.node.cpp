@@ -12,4 +12,5 @@ NODE("transfer.mark_lips", &mark_lips, version{1},
            "Share of the mouth's width, about its middle, that is paired"),
      param("reach_mm", &MarkLipsOptions::reach_mm, range{0.1, 100.0}, unit{"mm"}, "How wide the lips are"),
      output("marked", &MarkLipsResult::marked, "The rig with its inner lip pairs"),
-     output("lips", &MarkLipsResult::lips, "The vertices of the lips"));
+     output("lips", &MarkLipsResult::lips, "The vertices of the lips"),
+     output("found", &MarkLipsResult::found, "False where the mesh has no opening of a mouth"));

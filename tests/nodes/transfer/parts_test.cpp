@@ -115,8 +115,18 @@ TEST(LipSides, FindNoMouthInAClosedSheet) {
       mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
     }
   EXPECT_FALSE(find_mouth_opening(mesh).found());
-  EXPECT_THROW_TEXT(mark_lips(rig_of(mesh), mesh),
-                    "the mesh of 1681 points has no opening of a mouth, expected a reference whose lips are apart");
+  class : public engine::Progress {
+   public:
+    void warn(const std::string& text) override { heard = text; }
+    std::string heard;
+  } progress;
+  const MarkLipsResult result = mark_lips(rig_of(mesh), mesh, {}, progress);
+  EXPECT_FALSE(result.found);
+  EXPECT_TRUE(result.marked.inner_lips.empty());
+  EXPECT_EQ(
+      progress.heard,
+      "the reference's mesh of 1681 points has no opening of a mouth: take a reference whose lips are farther apart "
+      "(openness), and see in the review that its mouth was cleared");
 }
 
 TEST(ProjectCylinder, UnrollsACylinderToOneRadius) {
@@ -359,7 +369,8 @@ TEST(Morph, GoesFromOneSpeakingFaceToTheOther) {
 
 TEST(MarkLips, PairsTheEdgesAndMarksTheLips) {
   const Mesh mesh = sheet(4);
-  const MarkLipsResult result = mark_lips(rig_of(mesh), mesh);
+  engine::Progress quiet;
+  const MarkLipsResult result = mark_lips(rig_of(mesh), mesh, {}, quiet);
   EXPECT_GE(result.marked.inner_lips.size(), 8u);
   for (const LipPair& pair : result.marked.inner_lips) {
     EXPECT_EQ(pair.upper / columns, 20u);
