@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "nodes/base/random.h"
+#include "nodes/model/pose_model.h"
 #include "tests/nodes/model/material.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -97,6 +98,13 @@ TEST(CompareSpaces, TellsExpressionsFromIdentitiesOfAModel) {
 TEST(CompareSpaces, RejectsSpacesOfOtherSizes) {
   Matrix a{1, 2, {1, 0}}, b{1, 3, {1, 0, 0}};
   EXPECT_THROW_TEXT(compare(a, b), "examples have 2 columns, the basis has 3");
+}
+
+TEST(LipGapRows, RejectsLipsBeyondTheVertices) {
+  MorphableModel model;
+  model.mean.points_mm.assign(3, {0, 0, 0});
+  model.inner_lips = {{2, 7}};
+  EXPECT_THROW_TEXT(lip_gap_rows(model), "the model's lips meet at vertices 2 and 7, expected ones below 3");
 }
 
 TEST(CompareSpaces, RejectsModesThatAreNotOfTheMeshsVertices) {
