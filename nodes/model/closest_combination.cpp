@@ -194,8 +194,12 @@ ClosestCombinationResult closest_combination(const CylinderScan& scan, const Mor
   check(skin > 0 && surface.mean.colors_srgb.size() == surface.mean.points_mm.size(), "surface has ", skin,
         " vertices of skin and ", surface.mean.colors_srgb.size(), " colours, expected ", surface.mean.points_mm.size(),
         " colours and some skin");
-  if (space != nullptr)
+  if (space != nullptr) {
     check(space->vertices == skin, "space has ", space->vertices, " vertices, the surface's skin has ", skin);
+    check(space->mean_mm.size() == 3 * skin && space->modes.size() == space->size() * 3 * skin, "space has a mean of ",
+          space->mean_mm.size(), " numbers and ", space->modes.size(), " in its ", space->size(), " modes, expected ",
+          3 * skin, " each");
+  }
   const Search search(surface, space, skin, options);
   Eigen::VectorXd c = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(search.size()));
   if (!options.by_hand.empty()) {

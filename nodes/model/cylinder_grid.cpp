@@ -60,6 +60,7 @@ double cylinder_radius(const CylinderScan& scan, double x_px, double y_px) {
 }
 
 std::array<double, 3> cylinder_colour(const CylinderScan& scan, double x_px, double y_px) {
+  if (std::isnan(x_px) || std::isnan(y_px) || scan.picture.pixels.empty()) return {0, 0, 0};
   x_px = std::clamp(x_px, 0.0, scan.picture.width - 1.0);
   y_px = std::clamp(y_px, 0.0, scan.picture.height - 1.0);
   const int x = static_cast<int>(x_px), y = static_cast<int>(y_px);
@@ -77,17 +78,27 @@ CylinderView view_cylinder(const CylinderScan& grid, const std::vector<Vec3f>& p
                            const std::vector<render::Triangle>& triangles) {
   CylinderView view;
   view.screen.reserve(points_mm.size());
+  constexpr double most_px = 1e5;  // a vertex farther up or down is a mistake
+  std::vector<bool> nowhere;
+  bool any_nowhere = false;
   for (const Vec3f& point : points_mm) {
     const CylinderPixel pixel = cylinder_pixel(grid, point);
-    view.screen.push_back({static_cast<float>(pixel.x_px), static_cast<float>(pixel.y_px),
-                           far_mm / static_cast<float>(std::max(pixel.radius_mm, 1e-3))});
+    const bool somewhere = std::isfinite(pixel.x_px + pixel.y_px + pixel.radius_mm) && std::abs(pixel.y_px) < most_px;
+    if (!somewhere) any_nowhere = true;
+    nowhere.push_back(!somewhere);
+    view.screen.push_back(somewhere
+                              ? render::ScreenPoint{static_cast<float>(pixel.x_px), static_cast<float>(pixel.y_px),
+                                                    far_mm / static_cast<float>(std::max(pixel.radius_mm, 1e-3))}
+                              : render::ScreenPoint{0, 0, far_mm});
   }
   // A triangle across the seam is drawn as a point: what a raster counts stays the caller's list.
   std::vector<render::Triangle> drawn = triangles;
   const float seam = 0.45f * static_cast<float>(grid.picture.width);
   for (render::Triangle& t : drawn) {
     const auto [least, most] = std::minmax({view.screen[t[0]].x_px, view.screen[t[1]].x_px, view.screen[t[2]].x_px});
-    if (most - least > seam) t = {t[0], t[0], t[0]};
+    // So is one with a vertex that is nowhere.
+    const bool lost = any_nowhere && (nowhere[t[0]] || nowhere[t[1]] || nowhere[t[2]]);
+    if (lost || most - least > seam) t = {t[0], t[0], t[0]};
   }
   render::RasterOptions options;
   options.width_px = grid.picture.width;

@@ -17,7 +17,6 @@ struct FitImageOptions {
   std::int64_t points = 1500;   // random pixels per step and picture
   std::int64_t steps = 12;      // per size
   double image_weight = 500;    // how many independent points the picture counts as
-  double outline_weight = 0;    // how many independent points the outline of cheek and jaw counts as
   double point_sigma = 0.02;    // as in fit_landmarks
   double mouth_sigma_mm = 2;    // of the lip gap about 0; an open mouth must be seen
   double max_image_rms = 0.12;  // difference of picture and model above which the fit is not believed

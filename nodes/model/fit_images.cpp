@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "nodes/base/check.h"
+#include "nodes/model/fit_joint.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
-#include "nodes/model/outline_rows.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
@@ -29,10 +29,7 @@ constexpr double overlap_sigma_mm = 0.3, closed_sigma_mm = 0.1;
 constexpr double narrow_gap_mm = 3;     // up to which an open mouth is doubted
 constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
 constexpr int closing_steps = 8;
-constexpr double extreme_share = 0.45;
 constexpr int light_steps = 6;
-constexpr std::size_t least_outline = 10;  // rim vertices that see an edge
-constexpr double outline_sigma_px = 1;     // of an edge, in the picture's present size
 
 // One size of the picture: of the eye distance on it, how much the points still weigh, how much of the picture's weight
 // is used already (E_F first, E_I growing).
@@ -40,38 +37,8 @@ struct Stage {
   double eyes_px, landmark_weight, image_share;
   double points, steps;  // factors of the options
 };
-#ifndef STAGES
-#define STAGES                                                          \
-  {                                                                     \
-    {28, 1.0, 0.3, 1, 1}, {55, 0.5, 0.7, 1, 1}, { 110, 0.2, 1.0, 1, 1 } \
-  }
-#endif
-constexpr Stage stages[] = STAGES;
-
-struct Picture {
-  const Image* image = nullptr;
-  LandmarkBasis landmarks;
-  FaceFit start;
-  PictureState state;
-  std::array<double, 7> start_pose{};
-  double log_focal = 7;
-  double eyes_px = 100;
-  bool closed = false;  // the mouth is held closed
-};
-
-struct Joint {
-  const MorphableModel* model = nullptr;
-  FitImageOptions options;
-  SkinBasis basis;
-  LandmarkBasis outline;
-  std::vector<double> identity, albedo;
-  std::vector<std::vector<double>> gaps;
-  std::vector<Picture> pictures;
-
-  PixelColumns columns() const { return {basis.identities, basis.albedos, basis.expressions, true}; }
-  std::size_t shared() const { return basis.identities + basis.albedos; }
-  std::size_t own() const { return FacePose::size + basis.expressions + light_parameters; }
-};
+constexpr Stage stages[] = {
+    {28, 1.0, 0.3, 1, 1}, {55, 0.5, 0.7, 1, 1}, {110, 0.2, 1.0, 1, 1}, {160, 0.02, 1.0, 4, 1.5}};
 
 struct Normal {
   Eigen::MatrixXd a;
@@ -105,12 +72,6 @@ void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level
   normal.b.segment(first, own) += weight * b.tail(own);
 }
 
-std::vector<double> joined(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> result = a;
-  result.insert(result.end(), b.begin(), b.end());
-  return result;
-}
-
 void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& normal) {
   Picture& picture = joint.pictures[index];
   const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
@@ -129,33 +90,6 @@ void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& norma
       row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
     const double error = std::abs(rows.residual_px[i]) / sigma;
     const double w = weight * (error > 2.5 ? 2.5 / error : 1.0) / (sigma * sigma);
-    normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
-    normal.b -= row * (w * rows.residual_px[i]);
-  }
-}
-
-// Adds the outline of cheek and jaw: `outline_weight` independent points at most, edges that are far count little.
-void add_outline(const Joint& joint, std::size_t index, const PictureLevel& level, double share, Normal& normal) {
-  if (joint.options.outline_weight <= 0 || joint.outline.candidates.empty()) return;
-  const Picture& picture = joint.pictures[index];
-  const std::vector<Vec3f> points = posed(joint.outline, joined(joint.identity, picture.state.expression));
-  const LandmarkRows rows = outline_rows(joint.outline, points, picture.state.pose, level);
-  if (rows.residual_px.size() < least_outline) return;
-  const double sigma = outline_sigma_px / level.factor;
-  const double each =
-      share * std::min(1.0, joint.options.outline_weight / static_cast<double>(rows.residual_px.size()));
-  const auto shared = static_cast<Eigen::Index>(joint.shared()), own = static_cast<Eigen::Index>(joint.own());
-  const Eigen::Index first = shared + own * static_cast<Eigen::Index>(index);
-  Vector row = Vector::Zero(normal.b.size());
-  for (std::size_t i = 0; i < rows.residual_px.size(); ++i) {
-    const double* from = rows.jacobian.data() + i * rows.columns;
-    for (Eigen::Index k = 0; k < FacePose::size; ++k) row[first + k] = from[k];
-    for (std::size_t k = 0; k < joint.basis.identities; ++k)
-      row[static_cast<Eigen::Index>(k)] = from[FacePose::size + k];
-    for (std::size_t k = 0; k < joint.basis.expressions; ++k)
-      row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
-    const double off = rows.residual_px[i] / (2 * sigma);
-    const double w = each / ((1 + off * off) * (1 + off * off) * sigma * sigma);
     normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     normal.b -= row * (w * rows.residual_px[i]);
   }
@@ -252,23 +186,9 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
     if (!frozen) joint.pictures[m].state.seen = shadow_of(joint.basis, joint.identity, joint.pictures[m].state);
     add_pixels(joint, m, levels[m], stage.image_share, random, normal);
     add_landmarks(joint, m, stage.landmark_weight, normal);
-    if (!frozen) add_outline(joint, m, levels[m], stage.image_share, normal);
   }
   add_priors(joint, frozen, normal);
   apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
-}
-
-// Robust difference of a picture and the model (Geman and McClure's cost, mean over fixed random points).
-double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level) {
-  Random random(static_cast<std::uint64_t>(joint.options.seed), 78);
-  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo),
-                                    joint.pictures[index].state, level, {0, 0, 0, false}, 6000, random);
-  double sum = 0;
-  for (const float r : rows.residual) {
-    const double u = r / (2.5 * least_noise);
-    sum += u * u / (1 + u * u);
-  }
-  return rows.residual.empty() ? 0 : sum / static_cast<double>(rows.residual.size());
 }
 
 // A slightly open mouth may be a closed one with lips of another colour: where closing it costs next to nothing, it is
@@ -291,50 +211,6 @@ void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, R
     if (closed.pictures[m].closed && image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]))
       return;
   joint = std::move(closed);
-}
-
-// What the fit is worth, and what is wrong with it.
-void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit) {
-  Picture& picture = joint.pictures[index];
-  const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
-  assign_contours(points, picture.state.pose, picture.landmarks);
-  const LandmarkRows marks = landmark_rows(picture.landmarks, points, picture.state.pose);
-  double sum = 0, squares = 0;
-  for (std::size_t i = 0; i < picture.landmarks.points.size(); ++i) {
-    const double error = std::hypot(marks.residual_px[2 * i], marks.residual_px[2 * i + 1]);
-    sum += error;
-    squares += error * error;
-  }
-  const auto count = static_cast<double>(picture.landmarks.points.size());
-  const double eyes = eye_distance_px(picture.landmarks, points, picture.state.pose);
-  fit.landmark_rms_px = std::sqrt(squares / count);
-  fit.landmark_nme = sum / count / eyes;
-  Random random(static_cast<std::uint64_t>(joint.options.seed), 77);
-  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), picture.state,
-                                    level, {0, 0, 0, false}, 4000, random);
-  fit.image_rms = trimmed_rms(rows.residual);
-  fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
-  const FitLandmarksOptions limits;
-  if (rows.visible < 200)
-    fit.problem = "less than 200 pixels of skin are seen: use a larger picture, or check the points";
-  else if (turn_deg(picture.state.pose) > limits.max_turn_deg)
-    fit.problem = message("the head came out turned by ", std::lround(turn_deg(picture.state.pose)),
-                          " degrees: use a picture in which both eyes are seen");
-  else if (rows.overexposed > extreme_share)
-    fit.problem = message(std::lround(100 * rows.overexposed),
-                          " % of the face is overexposed: use a picture with less or softer light");
-  else if (rows.dark > extreme_share)
-    fit.problem =
-        message(std::lround(100 * rows.dark), " % of the face is all but black: use a picture with more light");
-  else if (fit.image_rms > joint.options.max_image_rms)
-    fit.problem =
-        message("model and picture differ by ", std::lround(100 * fit.image_rms), " % of the scale, expected at most ",
-                std::lround(100 * joint.options.max_image_rms), " %: is there a face at the points?");
-  else if (fit.landmark_nme > limits.max_nme)
-    fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
-                          " % of the eye distance off, expected at most ", 100 * limits.max_nme,
-                          " %: check their names and places");
-  fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
 }
 
 std::vector<float> floats(const std::vector<double>& values) { return {values.begin(), values.end()}; }
@@ -367,7 +243,6 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
   joint.basis =
       make_skin_basis(model, static_cast<std::size_t>(options.identities),
                       static_cast<std::size_t>(options.expressions), static_cast<std::size_t>(options.albedos));
-  if (options.outline_weight > 0) joint.outline = outline_basis(model, joint.basis.identities, joint.basis.expressions);
   joint.gaps = lip_gap_rows(model);
   joint.identity.assign(joint.basis.identities, 0.0);
   joint.albedo.assign(joint.basis.albedos, 0.0);

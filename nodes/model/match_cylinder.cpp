@@ -204,6 +204,9 @@ MatchCylinderResult match_cylinder(const MorphableModel& surface, const MeshPoin
   check_shape(start, skin, "start");
   check(flow.width == drawn.picture.width && flow.height == drawn.picture.height, "flow is ", flow.width, " x ",
         flow.height, ", drawn is ", drawn.picture.width, " x ", drawn.picture.height);
+  const std::size_t pixels = drawn.radius_mm.size();
+  check(flow.displacement_px.size() == pixels && flow.valid.size() == pixels, "flow has ", flow.displacement_px.size(),
+        " displacements and ", flow.valid.size(), " marks, expected ", pixels, " of each");
   check(flow.width >= 2 && flow.height >= 2, "flow is ", flow.width, " x ", flow.height, ", expected at least 2 x 2");
   const auto neighbours = neighbours_of(surface, skin);
   std::vector<Point> moved(skin, Point{});

@@ -250,7 +250,34 @@ Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector
 
 }  // namespace
 
+void check_surface(const MorphableModel& surface) {
+  const Mesh& mesh = surface.mean;
+  const std::size_t vertices = mesh.points_mm.size();
+  const auto in_range = [&](std::uint32_t v) { return v < vertices; };
+  check(std::all_of(mesh.corners.begin(), mesh.corners.end(), in_range), "surface has a corner beyond its ", vertices,
+        " vertices");
+  for (std::size_t f = 0; f < mesh.polygon_starts.size(); ++f)
+    check(mesh.polygon_starts[f] <= mesh.corners.size() &&
+              (f == 0 || mesh.polygon_starts[f] >= mesh.polygon_starts[f - 1]),
+          "surface has polygon ", f, " at corner ", mesh.polygon_starts[f], ", but ", mesh.corners.size(), " corners");
+  for (const Part& part : mesh.parts)
+    check(static_cast<std::size_t>(part.first_polygon) + part.polygon_count <= mesh.polygon_count(),
+          "surface has part \"", part.name, "\" up to polygon ",
+          static_cast<std::size_t>(part.first_polygon) + part.polygon_count, " of ", mesh.polygon_count());
+  check(std::all_of(surface.landmarks68.begin(), surface.landmarks68.end(), in_range),
+        "surface has a landmark beyond its ", vertices, " vertices");
+  check(mesh.uvs.size() == vertices && mesh.colors_srgb.size() == vertices, "surface has ", mesh.uvs.size(),
+        " uvs and ", mesh.colors_srgb.size(), " colours, expected one for each of its ", vertices,
+        " vertices: is it of model.scan_template?");
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Vec3f& p = mesh.points_mm[v];
+    check(std::isfinite(p[0] + p[1] + p[2] + mesh.uvs[v][0] + mesh.uvs[v][1]), "surface has a vertex ", v,
+          " that is not finite");
+  }
+}
+
 std::size_t skin_count(const MorphableModel& surface) {
+  check_surface(surface);
   std::size_t count = 0;
   const std::vector<bool> skin = skin_vertices(surface.mean);
   while (count < skin.size() && skin[count]) ++count;

@@ -38,7 +38,10 @@ std::vector<std::uint32_t> mouth_loop(const MorphableModel& surface);
 // left.
 std::vector<LipPair> lip_pairs(const MorphableModel& surface, const std::vector<std::uint32_t>& loop);
 
-// The number of leading vertices that are skin: teeth and the inside of the mouth come after them.
+// Throws where polygons, parts, landmarks, uvs or colours of a surface do not belong together, or are not finite.
+void check_surface(const MorphableModel& surface);
+
+// The number of leading vertices that are skin: teeth and the inside of the mouth come after them. Checks the surface.
 std::size_t skin_count(const MorphableModel& surface);
 
 }  // namespace face::model

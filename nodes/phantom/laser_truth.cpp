@@ -43,13 +43,17 @@ MeshPoints laser_truth(const Rig& rig, const Weights& weights, const SurfaceMap&
         " uvs, expected one for each of its ", mesh.points_mm.size(), " vertices");
   std::size_t skin = mesh.points_mm.size();
   if (mesh.parts.size() > 1) {
+    check(mesh.parts[0].polygon_count <= mesh.polygon_count(), "surface has a first part of ",
+          mesh.parts[0].polygon_count, " polygons, but ", mesh.polygon_count());
     skin = 0;
     for (std::size_t c = 0; c < mesh.polygon_starts[mesh.parts[0].polygon_count]; ++c)
       skin = std::max<std::size_t>(skin, mesh.corners[c] + 1);
   }
   const std::vector<Vec3f> points_mm = pose_points(rig, weights);
   MeshPoints out;
+  check(skin <= mesh.points_mm.size(), "surface has a corner at vertex ", skin - 1, " of ", mesh.points_mm.size());
   for (std::size_t v = 0; v < skin; ++v) {
+    check(std::isfinite(mesh.uvs[v][0] + mesh.uvs[v][1]), "surface has a uv ", v, " that is not finite");
     const auto x = std::lround(static_cast<double>(mesh.uvs[v][0]) * truth.width - 0.5),
                y = std::lround(static_cast<double>(1 - mesh.uvs[v][1]) * truth.height - 0.5);
     check(x >= 0 && y >= 0 && x < truth.width && y < truth.height, "vertex ", v, " lies on pixel (", x, ", ", y,

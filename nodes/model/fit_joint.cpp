@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/fit_joint.h"
+
+#include <cmath>
+
+#include "nodes/base/check.h"
+#include "nodes/model/fit_landmarks.h"
+#include "nodes/model/pose_model.h"
+#include "nodes/model/robust_weights.h"
+
+namespace face::model {
+namespace {
+
+constexpr double extreme_share = 0.45;
+
+}  // namespace
+
+double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level) {
+  Random random(static_cast<std::uint64_t>(joint.options.seed), 78);
+  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo),
+                                    joint.pictures[index].state, level, {0, 0, 0, false}, 6000, random);
+  double sum = 0;
+  for (const float r : rows.residual) {
+    const double u = r / (2.5 * least_noise);
+    sum += u * u / (1 + u * u);
+  }
+  return rows.residual.empty() ? 0 : sum / static_cast<double>(rows.residual.size());
+}
+
+void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit) {
+  Picture& picture = joint.pictures[index];
+  const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
+  assign_contours(points, picture.state.pose, picture.landmarks);
+  const LandmarkRows marks = landmark_rows(picture.landmarks, points, picture.state.pose);
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < picture.landmarks.points.size(); ++i) {
+    const double error = std::hypot(marks.residual_px[2 * i], marks.residual_px[2 * i + 1]);
+    sum += error;
+    squares += error * error;
+  }
+  const auto count = static_cast<double>(picture.landmarks.points.size());
+  const double eyes = eye_distance_px(picture.landmarks, points, picture.state.pose);
+  fit.landmark_rms_px = std::sqrt(squares / count);
+  fit.landmark_nme = sum / count / eyes;
+  Random random(static_cast<std::uint64_t>(joint.options.seed), 77);
+  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), picture.state,
+                                    level, {0, 0, 0, false}, 4000, random);
+  fit.image_rms = trimmed_rms(rows.residual);
+  fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
+  const FitLandmarksOptions limits;
+  if (rows.visible < 200)
+    fit.problem = "less than 200 pixels of skin are seen: use a larger picture, or check the points";
+  else if (turn_deg(picture.state.pose) > limits.max_turn_deg)
+    fit.problem = message("the head came out turned by ", std::lround(turn_deg(picture.state.pose)),
+                          " degrees: use a picture in which both eyes are seen");
+  else if (rows.overexposed > extreme_share)
+    fit.problem = message(std::lround(100 * rows.overexposed),
+                          " % of the face is overexposed: use a picture with less or softer light");
+  else if (rows.dark > extreme_share)
+    fit.problem =
+        message(std::lround(100 * rows.dark), " % of the face is all but black: use a picture with more light");
+  else if (fit.image_rms > joint.options.max_image_rms)
+    fit.problem =
+        message("model and picture differ by ", std::lround(100 * fit.image_rms), " % of the scale, expected at most ",
+                std::lround(100 * joint.options.max_image_rms), " %: is there a face at the points?");
+  else if (fit.landmark_nme > limits.max_nme)
+    fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
+                          " % of the eye distance off, expected at most ", 100 * limits.max_nme,
+                          " %: check their names and places");
+  fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
+}
+
+}  // namespace face::model

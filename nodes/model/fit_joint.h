@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a fit of one or several pictures of a person works on.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "nodes/model/fit_image.h"
+#include "nodes/model/landmark_basis.h"
+#include "nodes/model/pixel_rows.h"
+
+namespace face::model {
+
+// One picture, and what is its own.
+struct Picture {
+  const Image* image = nullptr;
+  LandmarkBasis landmarks;
+  FaceFit start;
+  PictureState state;
+  std::array<double, 7> start_pose{};
+  double log_focal = 7;
+  double eyes_px = 100;
+  bool closed = false;  // the mouth is held closed
+};
+
+// All pictures, and what they share.
+struct Joint {
+  const MorphableModel* model = nullptr;
+  FitImageOptions options;
+  SkinBasis basis;
+  std::vector<double> identity, albedo;
+  std::vector<std::vector<double>> gaps;
+  std::vector<Picture> pictures;
+
+  PixelColumns columns() const { return {basis.identities, basis.albedos, basis.expressions, true}; }
+  std::size_t shared() const { return basis.identities + basis.albedos; }
+  std::size_t own() const { return FacePose::size + basis.expressions + light_parameters; }
+};
+
+inline std::vector<double> joined(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> result = a;
+  result.insert(result.end(), b.begin(), b.end());
+  return result;
+}
+
+// Robust difference of a picture and the model (Geman and McClure's cost, mean over fixed random points).
+double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level);
+
+// What the fit of a picture is worth, and what is wrong with it.
+void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit);
+
+}  // namespace face::model
