@@ -2,17 +2,133 @@
 #include "nodes/texture/neutralise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
+#include "nodes/model/skin_modes.h"
 #include "nodes/render/shade.h"
+#include "nodes/texture/draw_face.h"
 
 namespace face::texture {
+namespace {
 
-Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo) {
+constexpr float forehead_fade_mm = 6;  // above the brows and beside the temples, over which hair becomes possible
+constexpr float below_chin_mm = 12;    // where collars begin
+constexpr float least_albedo = 1e-3f;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// 1 where hair or a collar may hide the skin: above the brows, beside them, below the chin, at the ears. V; all 0
+// without landmarks.
+std::vector<float> under_hair(const Rig& person) {
+  const std::vector<Vec3f>& points = person.neutral.points_mm;
+  std::vector<float> share(points.size(), 0.0f);
+  if (person.landmarks68.size() != 68) return share;
+  float brows = -1e9f;
+  for (std::size_t i = 17; i < 27; ++i) brows = std::max(brows, points[person.landmarks68[i]][1]);
+  const float right = points[person.landmarks68[17]][0], left = points[person.landmarks68[26]][0];
+  const float eyes = points[person.landmarks68[36]][1], chin = points[person.landmarks68[8]][1] - below_chin_mm;
+  const float ears = 0.5f * (points[person.landmarks68[1]][2] + points[person.landmarks68[15]][2]);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const float up = (points[v][1] - brows) / forehead_fade_mm;
+    const float out = points[v][1] < eyes ? -1 : std::max(right - points[v][0], points[v][0] - left) / forehead_fade_mm;
+    const float down = (chin - points[v][1]) / forehead_fade_mm;
+    const float back = (ears - points[v][2]) / forehead_fade_mm;
+    share[v] = std::clamp(std::max({up, out, down, back}), 0.0f, 1.0f);
+  }
+  return share;
+}
+
+// What a map shows of every vertex of the skin; 0 where nothing is known.
+std::vector<Vec3f> seen_colours(const Mesh& mesh, const AlbedoMap& albedo) {
+  std::vector<Vec3f> seen(mesh.points_mm.size(), Vec3f{0, 0, 0});
+  const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
+      const int x = std::clamp(static_cast<int>(uv[0] * static_cast<float>(albedo.width)), 0, albedo.width - 1);
+      const int y = std::clamp(static_cast<int>((1 - uv[1]) * static_cast<float>(albedo.height)), 0, albedo.height - 1);
+      const Vec3f& colour = albedo.albedo[static_cast<std::size_t>(y) * static_cast<std::size_t>(albedo.width) +
+                                          static_cast<std::size_t>(x)];
+      if (colour[0] > 0) seen[atlas.triangles[t][i]] = colour;
+    }
+  return seen;
+}
+
+// How much more of each channel the cheeks reflect than the rig's own do there: for skin that no map shows.
+std::array<double, 3> tone_of(const std::vector<Vec3f>& colours, const std::vector<Vec3f>& own,
+                              const std::vector<float>& cheeks) {
+  std::array<double, 3> tone = {1, 1, 1};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> ratios;
+    for (std::size_t v = 0; v < colours.size(); ++v)
+      if (colours[v][0] > 0 && cheeks[v] >= 0.5f)
+        ratios.push_back(std::log(static_cast<double>(std::max(colours[v][c], least_albedo)) /
+                                  static_cast<double>(std::max(own[v][c], least_albedo))));
+    if (!ratios.empty()) tone[c] = std::exp(median(ratios));
+  }
+  return tone;
+}
+
+// Skin without hair over it, and its brightness brought towards the mean person's.
+void put_right(const MorphableModel& model, const Rig& person, const NeutraliseOptions& options,
+               std::vector<Vec3f>& colours) {
+  const std::vector<float> cheeks = drawn_share(person), hair = under_hair(person);
+  const std::array<double, 3> tone = tone_of(colours, model.mean_albedo, cheeks);
+  double light = 0;
+  for (std::size_t c = 0; c < 3; ++c) light += options.light_share * model::luma[c] * std::log(tone[c]);
+  for (std::size_t v = 0; v < colours.size(); ++v) {
+    Vec3f& colour = colours[v];
+    if (colour[0] <= 0) continue;
+    if (options.hair_contrast > 0 && hair[v] > 0) {
+      std::array<double, 3> seen{}, skin{};
+      double squares = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        seen[c] = std::log(static_cast<double>(std::max(colour[c], least_albedo)));
+        skin[c] = std::log(tone[c] * static_cast<double>(std::max(model.mean_albedo[v][c], least_albedo)));
+        squares += (seen[c] - skin[c]) * (seen[c] - skin[c]) / 3;
+      }
+      const double off = squares / (options.hair_contrast * options.hair_contrast);
+      const double taken = static_cast<double>(hair[v]) * off / (1 + off);
+      for (std::size_t c = 0; c < 3; ++c)
+        colour[c] = static_cast<float>(std::exp(seen[c] + taken * (skin[c] - seen[c])));
+    }
+    for (float& value : colour) value *= static_cast<float>(std::exp(-light));
+  }
+}
+
+// The skin outside the map, scalp and ears and neck, takes the tone of the cheeks.
+void tone_rest(const std::vector<Vec3f>& own, const std::array<double, 3>& tone, const std::vector<Vec3f>& part_albedo,
+               const std::vector<Vec3f>& colours, Mesh& mesh) {
+  for (const Part& part : mesh.parts) {
+    if (part.name != "head") continue;
+    for (std::size_t i = mesh.polygon_starts[part.first_polygon];
+         i < mesh.polygon_starts[part.first_polygon + part.polygon_count]; ++i) {
+      const std::uint32_t v = mesh.corners[i];
+      if (colours[v][0] > 0) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        mesh.colors_srgb[v][c] = static_cast<float>(
+            std::clamp(srgb_of(std::min(1.0, tone[c] * static_cast<double>(own[v][c]) /
+                                                 std::max(0.02, static_cast<double>(part_albedo[v][c])))),
+                       0.0, 1.0));
+    }
+  }
+}
+
+}  // namespace
+
+Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo,
+               const NeutraliseOptions& options) {
   check(rig.neutral.points_mm.size() == model.mean.points_mm.size(), "the rig has ", rig.neutral.points_mm.size(),
         " vertices, the model ", model.mean.points_mm.size());
   check(albedo.width > 0 && albedo.height > 0 &&
@@ -28,20 +144,14 @@ Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, 
     for (std::size_t c = mesh.polygon_starts[part.first_polygon];
          c < mesh.polygon_starts[part.first_polygon + part.polygon_count]; ++c)
       for (std::size_t k = 0; k < 3; ++k) part_albedo[mesh.corners[c]][k] = srgb.linear(part.albedo_srgb[k]);
-  const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
-  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = atlas.triangles[t][i];
-      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
-      const int x = std::clamp(static_cast<int>(uv[0] * static_cast<float>(albedo.width)), 0, albedo.width - 1);
-      const int y = std::clamp(static_cast<int>((1 - uv[1]) * static_cast<float>(albedo.height)), 0, albedo.height - 1);
-      const Vec3f& colour = albedo.albedo[static_cast<std::size_t>(y) * static_cast<std::size_t>(albedo.width) +
-                                          static_cast<std::size_t>(x)];
-      if (colour[0] <= 0) continue;
-      for (std::size_t c = 0; c < 3; ++c)
-        mesh.colors_srgb[v][c] = static_cast<float>(
-            std::clamp(srgb_of(std::min(1.0f, colour[c] / std::max(0.02f, part_albedo[v][c]))), 0.0, 1.0));
-    }
+  const std::vector<Vec3f> own = model::vertex_albedo(mesh);
+  std::vector<Vec3f> colours = seen_colours(mesh, albedo);
+  put_right(model, person, options, colours);
+  for (std::size_t v = 0; v < colours.size(); ++v)
+    for (std::size_t c = 0; c < 3 && colours[v][0] > 0; ++c)
+      mesh.colors_srgb[v][c] = static_cast<float>(
+          std::clamp(srgb_of(std::min(1.0f, colours[v][c] / std::max(0.02f, part_albedo[v][c]))), 0.0, 1.0));
+  tone_rest(own, tone_of(colours, own, drawn_share(person)), part_albedo, colours, mesh);
   return person;
 }
 

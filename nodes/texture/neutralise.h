@@ -7,9 +7,20 @@
 
 namespace face::texture {
 
+struct NeutraliseOptions {
+  double light_share = 0.75;
+  double hair_contrast = 0.3;
+};
+
 // The person of a fit as a rig: all expression coefficients 0, the identity in the neutral, the rig's shapes as they
 // are (the same displacement for everybody, as in the paper), the map's colours at the skin's vertices. Speaks with any
 // weights. rig: of the model's vertices.
-Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo);
+// A picture shows light times albedo, and a fit hardly tells a darker skin from a weaker light: of the difference
+// between the person's brightness and the mean person's, light_share is taken to be the light's (0 = none, the map's
+// colours as they are). Above the brows, at temples and ears and below the chin hair and collars may hide the skin:
+// where the map differs from the mean person's skin in the tone of the cheeks, by more than hair_contrast of the
+// logarithm, that skin takes over (0 = nowhere). Scalp, ears and neck (parts named "head") take the tone of the cheeks.
+Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo,
+               const NeutraliseOptions& options = {});
 
 }  // namespace face::texture
