@@ -35,7 +35,8 @@ ChooseReferenceResult choose_reference(const engine::Seq<DepthScan>& scans, cons
     const double wanted = options.openness * sorted[(sorted.size() - 1) * 95 / 100];
     const std::size_t most = *std::max_element(seen.begin(), seen.end());
     for (std::size_t t = 0; t < count; ++t)
-      if (seen[t] == most && (chosen == count || std::fabs(areas[t] - wanted) < std::fabs(areas[chosen] - wanted)))
+      if (10 * seen[t] >= 9 * most &&
+          (chosen == count || std::fabs(areas[t] - wanted) < std::fabs(areas[chosen] - wanted)))
         chosen = t;
   }
   return {*scans.at(chosen), *markers.at(chosen), *interiors.at(chosen), scans.id(chosen)};

@@ -23,8 +23,9 @@ struct ChooseReferenceResult {
 
 // The reference of a corpus: a frame with a slightly open mouth (Bargmann, Blanz and Seidel, section 3), named or
 // found. How far a mouth is open is the removed area inside the lips (interiors, of mask.remove_mouth). Of the frames
-// that see all markers (as many as any frame sees) the one is taken whose area is nearest to `openness` of the 95th
-// percentile. scans, markers, interiors: of all frames, with the same ids.
+// that see nearly all markers (nine tenths of what any frame sees; those of few frames see all, and their mouths may
+// all be shut) the one is taken whose area is nearest to `openness` of the 95th percentile. scans, markers, interiors:
+// of all frames, with the same ids.
 ChooseReferenceResult choose_reference(const engine::Seq<DepthScan>& scans, const engine::Seq<Landmarks>& markers,
                                        const engine::Seq<Image>& interiors, const ChooseReferenceOptions& options = {});
 

@@ -280,6 +280,11 @@ TEST(ChooseReference, TakesASlightlyOpenMouthOrTheNamedFrame) {
   };
   EXPECT_EQ(choose(""), "4");
   EXPECT_EQ(choose("2"), "2");
+  // One of ten markers out of sight does not count against a frame, two do.
+  for (Landmarks& frame : markers)
+    while (frame.points.size() < 10) frame.points.push_back({"c", 3, 3, true});
+  markers[4].points[0].valid = markers[4].points[2].valid = false;
+  EXPECT_EQ(choose(""), "1");
   EXPECT_THROW_TEXT(choose("7"), "frame is \"7\", which no scan has; the first is \"0\", the last \"4\"");
 }
 
