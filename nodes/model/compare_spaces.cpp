@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "nodes/base/check.h"
+#include "nodes/model/check_model.h"
 #include "nodes/model/skin_modes.h"
 
 namespace face::model {
@@ -82,11 +83,8 @@ SpaceComparison compare(const Matrix& examples, const Matrix& basis) {
 }
 
 Table compare_spaces(const MorphableModel& model) {
+  check_model(model);
   const std::vector<bool> skin = skin_vertices(model.mean);
-  for (const LinearSpace* space : {&model.identity, &model.expression})
-    check(space->modes.size() == space->size() * skin.size(), "model has ", space->size(),
-          space == &model.identity ? " identities" : " expressions", " of ", space->modes.size(),
-          " offsets, expected ", skin.size(), " of each as the mean has vertices");
   Table table;
   table.columns = {"angle_deg", "smallest_angle_deg", "residual_ratio"};
   table.rows.push_back(

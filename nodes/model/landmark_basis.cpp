@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/model/check_model.h"
 #include "nodes/model/name_landmark.h"
 #include "nodes/model/skin_modes.h"
 #include "nodes/render/triangulate.h"
@@ -43,6 +44,7 @@ std::vector<bool> outline_vertices(const MorphableModel& model) {
 
 LandmarkBasis make_landmark_basis(const MorphableModel& model, const Landmarks& landmarks, std::size_t identities,
                                   std::size_t expressions) {
+  check_model(model);
   LandmarkBasis basis;
   basis.identities = std::min(identities, model.identity.size());
   basis.expressions = std::min(expressions, model.expression.size());

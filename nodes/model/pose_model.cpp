@@ -2,6 +2,7 @@
 #include "nodes/model/pose_model.h"
 
 #include "nodes/base/check.h"
+#include "nodes/model/check_model.h"
 #include "nodes/model/skin_modes.h"
 
 namespace face::model {
@@ -37,13 +38,10 @@ std::vector<Vec3f> albedo_of(const MorphableModel& model, const std::vector<floa
 }
 
 std::vector<std::vector<double>> lip_gap_rows(const MorphableModel& model) {
+  check_model(model);
   std::vector<std::vector<double>> rows;
   const std::size_t vertices = model.mean.points_mm.size();
-  check(model.expression.modes.size() == model.expression.size() * vertices, "the model has ", model.expression.size(),
-        " expressions of ", model.expression.modes.size(), " offsets, expected ", vertices, " of each");
   for (const LipPair& pair : model.inner_lips) {
-    check(pair.upper < vertices && pair.lower < vertices, "the model's lips meet at vertices ", pair.upper, " and ",
-          pair.lower, ", expected ones below ", vertices);
     std::vector<double>& row = rows.emplace_back(model.expression.size(), 0.0);
     for (std::size_t k = 0; k < row.size(); ++k) {
       const Vec3f* mode = model.expression.modes.data() + k * vertices;

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "nodes/model/check_model.h"
 #include "nodes/model/skin_modes.h"
 #include "nodes/render/triangulate.h"
 
@@ -46,6 +47,7 @@ void add(const std::vector<float>& modes, std::size_t columns, std::size_t first
 
 SkinBasis make_skin_basis(const MorphableModel& model, std::size_t identities, std::size_t expressions,
                           std::size_t albedos) {
+  check_model(model);
   SkinBasis basis;
   basis.identities = std::min(identities, model.identity.size());
   basis.expressions = std::min(expressions, model.expression.size());
