@@ -88,13 +88,16 @@ Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics,
     while (p + 1 < phones.phones.size() && phones.phones[p].end_s <= time_s) ++p;
     phone_of[t] = p;
   }
-  for (std::size_t p = 0; options.hold_closures && p < phones.phones.size(); ++p) {
+  for (std::size_t p = 0; options.closures != Closures::free && p < phones.phones.size(); ++p) {
     if (!is_bilabial_closure(phones.phones[p].label)) continue;
     const double middle_s = (phones.phones[p].start_s + phones.phones[p].end_s) / 2;
     const auto frame = static_cast<std::size_t>(std::max(0.0, std::round(middle_s * options.rate_hz)));
     phone_of[std::min(frame, frames - 1)] = p;
     held[std::min(frame, frames - 1)] = true;
   }
+  const auto target = [&](std::size_t t, std::size_t k) {
+    return held[t] && options.closures == Closures::rest ? 0.0 : used[phone_of[t]]->mean[k];
+  };
   // So much stronger than all else that what is left of the error is far below a weight's last bit.
   constexpr double hold = 1e9;
   const double smoothness = smoothness_at(options.smoothness, 30, options.rate_hz);
@@ -106,7 +109,8 @@ Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics,
     std::vector<VectorXd> mean;
     for (std::size_t t = 0; t < frames; ++t) {
       precision.push_back(&precisions[phone_of[t]]);
-      mean.push_back(Eigen::Map<const VectorXd>(used[phone_of[t]]->mean.data(), static_cast<Eigen::Index>(dims)));
+      mean.emplace_back(static_cast<Eigen::Index>(dims));
+      for (std::size_t k = 0; k < dims; ++k) mean.back()[static_cast<Eigen::Index>(k)] = target(t, k);
     }
     values = solve_full(precision, pulls, mean, smoothness);
   } else {
@@ -115,7 +119,7 @@ Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics,
       for (std::size_t k = 0; k < dims; ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         targets.precision.push_back(pulls[t] * precisions[phone_of[t]](i, i));
-        targets.target.push_back(used[phone_of[t]]->mean[k]);
+        targets.target.push_back(target(t, k));
       }
     values = solve_trajectory(targets, smoothness);
   }

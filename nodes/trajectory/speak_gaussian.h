@@ -13,12 +13,19 @@ namespace face::trajectory {
 
 enum class CovarianceUse { diagonal, full };
 
+// Where the middle of a bilabial closure is held.
+enum class Closures {
+  free,     // nowhere: as published
+  trained,  // at the mean of its phone
+  rest,     // at 0, where parameters count from the shut mouth
+};
+
 struct SpeakGaussianOptions {
   double rate_hz = 30;
   double smoothness = 10;  // lambda at 30 frames per second, the paper's
   CovarianceUse covariance = CovarianceUse::diagonal;
   Normalise normalise = Normalise::none;
-  bool hold_closures = false;
+  Closures closures = Closures::free;
 };
 
 // The statistic of a label: its own, else that of the whole phone or of its closure or release, else that of all
@@ -29,8 +36,8 @@ const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const st
 // Eqs 6 and 7; Ezzat, Geiger and Poggio 2002): (x - mu)' D' Sigma^-1 D (x - mu) + lambda |x_t - x_(t-1)|^2. The plain
 // variant of trajectory.speak, for comparison.
 // Differs from the paper: lambda is per time, not per frame: lambda (rate / 30 Hz)^2; optionally the whole covariance;
-// optionally the middle of every bilabial closure is where training had it, exactly (the paper's large variances of
-// plosives leave lips open).
+// optionally the middle of every bilabial closure is held where training had it, or at rest (the paper's large variances
+// of plosives leave lips open, and at 25 or 30 frames per second so does the mean of a closure of three frames).
 Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics, engine::SeqWriter<Weights>& weights,
                         const SpeakGaussianOptions& options = {});
 

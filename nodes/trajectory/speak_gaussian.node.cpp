@@ -18,6 +18,8 @@ NODE("trajectory.speak_gaussian", &speak_gaussian, version{1},
      param("normalise", &SpeakGaussianOptions::normalise,
            {{"none", Normalise::none}, {"utterance", Normalise::utterance}, {"duration", Normalise::duration}},
            "How a phone's length changes its pull"),
-     param("hold_closures", &SpeakGaussianOptions::hold_closures,
-           "The middle of every P B M is exactly where training had it"),
+     param("closures", &SpeakGaussianOptions::closures,
+           {{"free", Closures::free}, {"trained", Closures::trained}, {"rest", Closures::rest}},
+           "Whether the middle of every P B M is held exactly: free: no, as published; trained: where training had it; "
+           "rest: at 0, for parameters that count from the shut mouth"),
      output("timeline", "Time of every frame"), output("weights", "Animation parameters of every frame"));

@@ -54,7 +54,7 @@ double error(const PhoneStatistics& statistics, const Phones& phones, const std:
     ++t;
   });
   trajectory::SpeakGaussianOptions options;
-  options.hold_closures = hold;
+  options.closures = hold ? trajectory::Closures::trained : trajectory::Closures::free;
   trajectory::speak_gaussian(phones, statistics, writer, options);
   return std::sqrt(squares / static_cast<double>(2 * t));
 }

@@ -150,10 +150,15 @@ TEST(SpeakGaussian, HoldsClosuresThatAPlainPathMisses) {
   SpeakGaussianOptions options;
   const auto error = [&] { return std::abs(speak(sentence(), statistics, options)[8].values[0] - closed); };
   EXPECT_GT(error(), 0.1);
-  options.hold_closures = true;
-  EXPECT_LT(error(), 1e-6);
-  options.covariance = CovarianceUse::full;
-  EXPECT_LT(error(), 1e-6);
+  const auto at_rest = [&] { return std::abs(speak(sentence(), statistics, options)[8].values[0]); };
+  for (const CovarianceUse covariance : {CovarianceUse::diagonal, CovarianceUse::full}) {
+    options.covariance = covariance;
+    options.closures = Closures::trained;
+    EXPECT_LT(error(), 1e-6);
+    EXPECT_GT(at_rest(), 0.01);
+    options.closures = Closures::rest;
+    EXPECT_LT(at_rest(), 1e-6);
+  }
 }
 
 TEST(SpeakGaussian, TakesTheNearestStatisticOfAPhoneThatWasNotSeen) {
