@@ -70,6 +70,9 @@ const Maker correction = made([](int variant) {
   return face::Landmarks{{{"lip_3", 65 + 0.5 * variant, 57 - 0.5 * variant, true}}};
 });
 
+const Maker nose_put_right = made(
+    [](int variant) { return face::Landmarks{{{"30", 30 + 0.5 * variant, 22 - 0.5 * variant, true}}}; });
+
 // Four frames of which one is shown longer.
 const Maker uneven_timeline = made([](int variant) {
   return face::Timeline{{0, 0.04, 0.08 + 0.02 * variant, 0.12 + 0.02 * variant}, 0.16 + 0.02 * variant};
@@ -87,7 +90,7 @@ const Registered track({
             {"track.face_flow.start", drifting_points},
             {"track.stabilise.depths_px", depths},
             {"track.chain_flow.start", two_digit_points},
-            {"track.chain_flow.correction", two_digit_points},
+            {"track.chain_flow.correction", nose_put_right},
             {"track.chain_flow.from_first", another("flow_field", 2)},
             {"track.report.landmarks", losing_points(speaker_points)},
             {"track.report.state", states},
