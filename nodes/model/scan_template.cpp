@@ -202,19 +202,20 @@ Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector
                const ScanTemplateOptions& options) {
   Mesh mesh;
   const int width = scan.picture.width;
-  const int row_stride = static_cast<int>(options.row_stride), column_stride = static_cast<int>(options.column_stride);
+  const int row_step_px = static_cast<int>(options.row_step_px),
+            column_step_px = static_cast<int>(options.column_step_px);
   const int half =
       static_cast<int>(options.half_angle_deg * std::numbers::pi / 180 / static_cast<double>(scan.phi_step_rad));
-  const int left = std::max(0, width / 2 - half / column_stride * column_stride),
+  const int left = std::max(0, width / 2 - half / column_step_px * column_step_px),
             right = std::min(width - 1, width / 2 + half);
-  const int columns = (right - left) / column_stride + 1, rows = scan.picture.height / row_stride;
+  const int columns = (right - left) / column_step_px + 1, rows = scan.picture.height / row_step_px;
   std::vector<std::int32_t> vertex(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
   const auto node = [&](int c, int r) -> std::int32_t& {
     return vertex[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)];
   };
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      const int x = left + c * column_stride, y = r * row_stride;
+      const int x = left + c * column_step_px, y = r * row_step_px;
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
       if (y < first_row[static_cast<std::size_t>(x)] || y > last_row || !(scan.radius_mm[i] > 0) ||
           mouth.at<std::uint8_t>(y, x) != 0)
@@ -238,7 +239,7 @@ Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector
   };
   for (int r = 0; r + 1 < rows; ++r)
     for (int c = 0; c + 1 < columns; ++c) {
-      const cv::Rect cell(left + c * column_stride, r * row_stride, column_stride + 1, row_stride + 1);
+      const cv::Rect cell(left + c * column_step_px, r * row_step_px, column_step_px + 1, row_step_px + 1);
       if (cv::countNonZero(mouth(cell & cv::Rect(0, 0, mouth.cols, mouth.rows))) > 0) continue;
       // Counter-clockwise seen from outside: rows run downwards, columns to the head's left.
       add(node(c, r), node(c, r + 1), node(c + 1, r));
@@ -342,8 +343,8 @@ std::vector<LipPair> lip_pairs(const MorphableModel& surface, const std::vector<
 MorphableModel scan_template(const CylinderScan& reference, const Landmarks& landmarks,
                              const ScanTemplateOptions& options) {
   check_cylinder(reference, "reference");
-  check(options.row_stride >= 1 && options.column_stride >= 1, "strides are ", options.row_stride, " and ",
-        options.column_stride, ", expected at least 1");
+  check(options.row_step_px >= 1 && options.column_step_px >= 1, "strides are ", options.row_step_px, " and ",
+        options.column_step_px, ", expected at least 1");
   const std::vector<cv::Point2f> points = points68(landmarks);
   const CylinderScan scan = filled(reference);
   float brows = 1e9f;

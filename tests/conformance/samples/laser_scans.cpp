@@ -206,8 +206,8 @@ const Registered laser_scans({
         },
     .params =
         {
-            {"model.scan_template.row_stride", whole(1)},
-            {"model.scan_template.column_stride", whole(1)},
+            {"model.scan_template.row_step_px", whole(1)},
+            {"model.scan_template.column_step_px", whole(1)},
         },
     .shown_elsewhere = {{"model.compare_shapes.surface", same_polygons},
                         {"model.match_cylinder.surface", same_polygons},

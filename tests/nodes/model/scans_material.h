@@ -48,8 +48,8 @@ inline face::Landmarks marks_of(const ScannedFace& face) {
 }
 
 inline const face::MorphableModel& half_open_surface() {
-  static const face::MorphableModel surface =
-      face::model::scan_template(half_open().taken.scan, marks_of(half_open()), {.row_stride = 2, .column_stride = 1});
+  static const face::MorphableModel surface = face::model::scan_template(half_open().taken.scan, marks_of(half_open()),
+                                                                         {.row_step_px = 2, .column_step_px = 1});
   return surface;
 }
 
