@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "nodes/base/check.h"
@@ -24,6 +25,17 @@ double product(const std::vector<double>& row, const std::vector<double>& weight
   double sum = 0;
   for (std::size_t s = 0; s < row.size(); ++s) sum += row[s] * weights[s];
   return sum;
+}
+
+// The nearest point is on one side, but a lip that comes to the teeth comes with both: sides share what either would
+// do. For weights that are alike on both sides the row says the same as before.
+void share_sides(std::vector<double>& row) {
+  for (const std::string_view left_name : corrector_names) {
+    if (!left_name.ends_with("Left")) continue;
+    const std::size_t left = arkit_index(left_name);
+    const std::size_t right = arkit_index(std::string(left_name.substr(0, left_name.size() - 4)) + "Right");
+    row[left] = row[right] = 0.5 * (row[left] + row[right]);
+  }
 }
 
 std::vector<float> as_floats(const std::vector<double>& weights) { return {weights.begin(), weights.end()}; }
@@ -110,6 +122,7 @@ void MouthBounds::bound_teeth(std::size_t frame, const std::vector<double>& weig
     contact.normal = direction;
     std::vector<double> row = teeth_.row(contact);
     row.resize(arkit_count);
+    share_sides(row);
     append(frame, row, value, weights, low, high, bounds, limits_.teeth_price);
   };
   for (std::size_t i = 0; i < std::min(most_bite_bounds, contacts.size()); ++i) {

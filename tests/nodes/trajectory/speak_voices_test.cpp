@@ -3,8 +3,10 @@
 // mm.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "nodes/speech/say.h"
 #include "nodes/trajectory/read_visemes.h"
 #include "nodes/trajectory/speak.h"
+#include "nodes/types/arkit.h"
 #include "tests/nodes/trajectory/judge_speech.h"
 #include "tests/support/data.h"
 
@@ -53,6 +56,7 @@ void expect_good_lips(const Rig& rig) {
   engine::Progress silent;
   test::Verdict all;
   double speech_s = 0;
+  float one_sided = 0;
   std::chrono::duration<double> spent{};
   for (const speech::Voice voice : {speech::Voice::slt, speech::Voice::rms})
     for (const char* sentence : sentences) {
@@ -67,8 +71,13 @@ void expect_good_lips(const Rig& rig) {
       EXPECT_EQ(result.missed_count, 0) << sentence;
       EXPECT_LE(verdict.widest_closure_mm, 1.0) << sentence;
       EXPECT_LE(verdict.farthest_teeth_mm, 1.0) << sentence;  // -1e9 where there are none
+      for (const Weights& frame : weights)
+        for (const char* side : {"mouthPress", "mouthLowerDown", "mouthUpperUp", "mouthStretch"})
+          one_sided = std::max(one_sided, std::abs(frame.values[arkit_index(std::string(side) + "Left")] -
+                                                   frame.values[arkit_index(std::string(side) + "Right")]));
       all.add(verdict);
     }
+  EXPECT_LE(one_sided, 0.1f);  // speech is the same on both sides
   EXPECT_GE(all.bilabials, 300);
   EXPECT_GE(all.deepest_closure_mm, -0.3);
   EXPECT_GE(all.deepest_gap_mm, -0.3);
