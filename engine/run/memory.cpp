@@ -53,7 +53,7 @@ void Session::read_ahead(const Tree& sequence, std::size_t index) {
   const Tree* first = follow(children[index]);
   // One for every worker, so that they go on while the reader works with this one.
   const std::size_t ahead = is_light(first->producer->node) ? small_tasks : static_cast<std::size_t>(most_workers_);
-  for (std::size_t i = index + 1; i <= std::min(children.size() - 1, index + ahead) && used_ < budget_ / 2; ++i) {
+  for (std::size_t i = index + 1; i <= std::min(children.size() - 1, index + ahead) && used_ < budget_; ++i) {
     const Tree* next = follow(children[i]);
     if (next->state == Tree::State::leaf && next->cheap && !next->value &&
         next->producer->node == first->producer->node)
