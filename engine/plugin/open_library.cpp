@@ -2,6 +2,7 @@
 #include "engine/plugin/open_library.h"
 
 #include <cxxabi.h>
+#include <dlfcn.h>
 
 #include <boost/dll/shared_library.hpp>
 #include <boost/dll/shared_library_load_mode.hpp>
@@ -19,6 +20,9 @@ namespace engine {
 namespace {
 
 constexpr const char* no_descriptor = "it has no Facegraph descriptor";
+
+// Values keep pointers into the libraries of their types: a library stays to the end of the process.
+constexpr auto load_for_good = boost::dll::load_mode::rtld_now | static_cast<boost::dll::load_mode::type>(RTLD_NODELETE);
 
 std::string bounded(const char* text, std::size_t size) { return {text, strnlen(text, size)}; }
 
@@ -91,10 +95,9 @@ std::vector<NodeDeclaration> open_library(const std::string& path) {
   check_tags(path);
   std::vector<NodeDeclaration> nodes;
   try {
-    // Never unloaded: values keep pointers into the library.
-    auto* library = new boost::dll::shared_library(path, boost::dll::load_mode::rtld_now);
-    if (!library->has(plugin_entry_symbol)) throw std::runtime_error(no_descriptor);
-    nodes = library->get<const PluginDescriptor>(plugin_entry_symbol).nodes();
+    boost::dll::shared_library library(path, load_for_good);
+    if (!library.has(plugin_entry_symbol)) throw std::runtime_error(no_descriptor);
+    nodes = library.get<const PluginDescriptor>(plugin_entry_symbol).nodes();
   } catch (const boost::system::system_error& error) {
     throw std::runtime_error(loader_reason(error.what(), path));
   }
