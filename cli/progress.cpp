@@ -3,17 +3,13 @@
 
 #include <unistd.h>
 
-#include <algorithm>
+#include <cstdio>
 
 namespace cli {
 namespace {
 
 constexpr double redraw_s = 0.1;  // a terminal
 constexpr double report_s = 5.0;  // a log
-
-std::string task_name(const engine::RunEvent& event) {
-  return event.element.empty() ? event.node : event.node + "[" + event.element + "]";
-}
 
 }  // namespace
 
@@ -34,6 +30,7 @@ void ProgressPrinter::show(const engine::RunEvent& event) {
       std::fprintf(stderr, "warning: %s: %s\n", task_name(event).c_str(), event.text.c_str());
   }
   if (quiet_) return;
+  pace_.see(event);
   const double wait = terminal_ ? redraw_s : report_s;
   if (last_s_ >= 0 && event.time_s - last_s_ < wait) return;
   if (last_s_ < 0) {
@@ -46,21 +43,17 @@ void ProgressPrinter::show(const engine::RunEvent& event) {
 
 void ProgressPrinter::bar(const engine::RunEvent& event) {
   const double share = event.known == 0 ? 0 : static_cast<double>(event.done) / static_cast<double>(event.known);
-  std::string left;
-  if (share > 0.02 && event.time_s > 1) {
-    const double seconds = event.time_s * (1 - share) / share;
-    left = seconds < 90 ? std::to_string(static_cast<int>(seconds + 0.5)) + " s left"
-                        : std::to_string(static_cast<int>(seconds / 60 + 0.5)) + " min left";
-  }
+  const std::string left = pace_.left(event);
   if (!terminal_) {
-    std::fprintf(stderr, "%zu of %zu tasks, %s %s\n", event.done, event.known, task_name(event).c_str(), left.c_str());
+    std::fprintf(stderr, "%zu of %zu tasks, %s  %s\n", event.done, event.known, pace_.task(event).c_str(),
+                 left.c_str());
     return;
   }
   constexpr int width = 30;
   const int full = static_cast<int>(share * width);
   std::string text(static_cast<std::size_t>(full), '#');
   text.resize(width, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %zu/%zu  %s  %s", text.c_str(), event.done, event.known, task_name(event).c_str(),
+  std::fprintf(stderr, "\r\033[K[%s] %zu/%zu  %s  %s", text.c_str(), event.done, event.known, pace_.task(event).c_str(),
                left.c_str());
   std::fflush(stderr);
   drawn_ = true;

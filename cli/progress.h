@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <cstdio>
-#include <mutex>
-#include <string>
-
+#include "cli/pace.h"
 #include "engine/run/run.h"
 
 namespace cli {
@@ -17,10 +14,10 @@ class ProgressPrinter {
 
  private:
   void bar(const engine::RunEvent& event);
+  Pace pace_;
   bool quiet_;
   bool terminal_;
   double last_s_ = -1;
-  std::size_t settled_at_start_ = 0;
   bool drawn_ = false;
 };
 
