@@ -6,15 +6,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "nodes/base/check.h"
 #include "nodes/base/random.h"
+#include "nodes/model/gram.h"
 
 namespace face::model {
 namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Spectrum {
   Eigen::VectorXd values;   // falling
@@ -29,9 +32,8 @@ Spectrum all_of(const Eigen::MatrixXd& gram) {
 // The `wanted` largest eigenvalues with their vectors by block Lanczos with full reorthogonalisation (Golub and
 // Underwood, The Block Lanczos Method for Computing Eigenvalues, 1977): a Krylov space that grows until the residuals
 // of all wanted pairs are below 1e-10 of the largest value; all of them where it would grow past half the matrix.
-Spectrum largest_of(const Eigen::MatrixXd& lower, Eigen::Index wanted) {
-  const Eigen::Index m = lower.rows(), block = 24;
-  const Eigen::MatrixXd gram = lower.selfadjointView<Eigen::Lower>();
+Spectrum largest_of(const Eigen::MatrixXd& gram, Eigen::Index wanted) {
+  const Eigen::Index m = gram.rows(), block = 24;
   if (3 * wanted + 4 * block > m / 2) return all_of(gram);
   Random random(11);
   Eigen::MatrixXd basis(m, 0), image(m, 0), next(m, block);
@@ -58,45 +60,6 @@ Spectrum largest_of(const Eigen::MatrixXd& lower, Eigen::Index wanted) {
   return all_of(gram);
 }
 
-// Scaled columns of x (m x n): numbers of the region, each times the root of its vertex's weight.
-struct Region {
-  std::vector<Eigen::Index> columns;
-  std::vector<double> roots;
-};
-
-// The lower triangle of the Gram matrix of a region's columns, tile by tile of its rows. Every tile is the sum over the
-// same runs of columns in the same order whoever computes it, so it does not depend on the number of threads.
-Eigen::MatrixXd gram_of(const RowMatrix& x, const Region& region) {
-  constexpr Eigen::Index tile = 256;
-  constexpr std::size_t run = 1024;
-  const Eigen::Index m = x.rows(), tiles = (m + tile - 1) / tile;
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
-  for (Eigen::Index a = 0; a < tiles; ++a)
-    for (Eigen::Index b = 0; b <= a; ++b) pairs.push_back({a * tile, b * tile});
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
-  const auto part_of = [&](Eigen::Index first, std::size_t start, std::size_t end) {
-    RowMatrix part(std::min(tile, m - first), static_cast<Eigen::Index>(end - start));
-    for (Eigen::Index j = 0; j < part.rows(); ++j)  // along memory
-      for (std::size_t c = start; c < end; ++c)
-        part(j, static_cast<Eigen::Index>(c - start)) = region.roots[c] * x(first + j, region.columns[c]);
-    return part;
-  };
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
-    const auto [row, column] = pairs[p];
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(std::min(tile, m - row), std::min(tile, m - column));
-    for (std::size_t start = 0; start < region.columns.size(); start += run) {
-      const std::size_t end = std::min(region.columns.size(), start + run);
-      const RowMatrix left = part_of(row, start, end);
-      if (row == column)
-        sum.noalias() += left * left.transpose();
-      else
-        sum.noalias() += left * part_of(column, start, end).transpose();
-    }
-    gram.block(row, column, sum.rows(), sum.cols()) = sum;
-  });
-  return gram;
-}
-
 }  // namespace
 
 ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights, const RegionPcaOptions& options) {
@@ -109,45 +72,56 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
     for (const double w : weights->values) check(w >= 0, "weights has ", w, ", expected none below 0");
   }
   const auto m = static_cast<Eigen::Index>(count), n = static_cast<Eigen::Index>(size);
-  RowMatrix x(m, n);
+  std::vector<float> numbers(count * size);  // as they come: what is made of them is made in double
   for (std::size_t j = 0; j < count; ++j) {
     const auto shape = shapes.at(j);
     check(shape->points_mm.size() == vertices, "shape ", shapes.id(j), " has ", shape->points_mm.size(), " points, ",
           shapes.id(0), " has ", vertices);
-    double* row = x.data() + static_cast<Eigen::Index>(j) * n;
+    float* row = numbers.data() + j * size;
+    bool finite = true;
     for (std::size_t v = 0; v < vertices; ++v)
-      for (std::size_t k = 0; k < 3; ++k) row[3 * v + k] = static_cast<double>(shape->points_mm[v][k]);
-    if (!x.row(static_cast<Eigen::Index>(j)).allFinite())
-      for (std::size_t i = 0; i < size; ++i)
-        check(std::isfinite(row[i]), "shape ", shapes.id(j), " has a point ", i / 3, " that is not finite");
+      for (std::size_t k = 0; k < 3; ++k) {
+        row[3 * v + k] = shape->points_mm[v][k];
+        finite &= std::isfinite(row[3 * v + k]);
+      }
+    if (finite) continue;
+    for (std::size_t i = 0; i < size; ++i)
+      check(std::isfinite(row[i]), "shape ", shapes.id(j), " has a point ", i / 3, " that is not finite");
   }
   // Runs of columns: each sums its own rows in order.
-  constexpr std::size_t run = 2048;
+  constexpr std::size_t run = 512;
   const auto runs = [&](const auto& use) {
     tbb::parallel_for(std::size_t{0}, (size + run - 1) / run, [&](std::size_t r) {
-      const std::size_t start = r * run, end = std::min(size, start + run);
-      use(static_cast<Eigen::Index>(start), static_cast<Eigen::Index>(end - start));
+      use(static_cast<Eigen::Index>(r * run), static_cast<Eigen::Index>(std::min(size, (r + 1) * run) - r * run));
     });
   };
+  const Eigen::Map<const FloatRows> x(numbers.data(), m, n);
   Eigen::RowVectorXd mean(n);
   runs([&](Eigen::Index start, Eigen::Index length) {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(length);
-    for (Eigen::Index j = 0; j < m; ++j) sum += x.row(j).segment(start, length);
-    sum /= static_cast<double>(m);
-    mean.segment(start, length) = sum;
-    for (Eigen::Index j = 0; j < m; ++j) x.row(j).segment(start, length) -= sum;
+    for (Eigen::Index j = 0; j < m; ++j) sum += x.row(j).segment(start, length).cast<double>();
+    mean.segment(start, length) = sum / static_cast<double>(m);
   });
   // The Gram matrix costs m^2 times the number of the region's columns.
-  Region region;
+  std::vector<std::size_t> columns;
+  std::vector<double> roots;
   for (std::size_t v = 0; v < vertices; ++v) {
     const double weight = weights ? weights->values[v] : 1;
     if (!(weight > 0)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      region.columns.push_back(static_cast<Eigen::Index>(3 * v + k));
-      region.roots.push_back(std::sqrt(weight));
+      columns.push_back(3 * v + k);
+      roots.push_back(std::sqrt(weight));
     }
   }
-  const Eigen::MatrixXd gram = gram_of(x, region);
+  const std::vector<double> lower =
+      gram_of(count, columns.size(), [&](std::size_t j, std::size_t first, std::span<double> out) {
+        const float* row = numbers.data() + j * size;
+        for (std::size_t c = 0; c < out.size(); ++c) {
+          const std::size_t i = columns[first + c];
+          out[c] = roots[first + c] * (static_cast<double>(row[i]) - mean(static_cast<Eigen::Index>(i)));
+        }
+      });
+  const Eigen::MatrixXd gram = Eigen::Map<const RowMatrix>(lower.data(), m, m).selfadjointView<Eigen::Lower>();
   const auto wanted = std::min<Eigen::Index>(options.components, m);
   const Spectrum spectrum = largest_of(gram, wanted);
   const Eigen::VectorXd& values = spectrum.values;
@@ -169,7 +143,8 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
   Eigen::Map<RowMatrix> modes(model.modes.data(), k, n), projections(model.projections.data(), k, n);
   // u~_i = D^(1/2) u_i, and a_i = u~_i . D^(1/2) x: the projection of a full face is D u_i.
   runs([&](Eigen::Index start, Eigen::Index length) {
-    modes.middleCols(start, length).noalias() = right.transpose() * x.middleCols(start, length);
+    const RowMatrix centred = x.middleCols(start, length).cast<double>().rowwise() - mean.segment(start, length);
+    modes.middleCols(start, length).noalias() = right.transpose() * centred;
     for (Eigen::Index c = start; c < start + length; ++c) {
       const double d = weights ? weights->values[static_cast<std::size_t>(c / 3)] : 1.0;
       if (d > 0) projections.col(c) = d * modes.col(c);

@@ -12,6 +12,7 @@
 #include "nodes/model/fit_image.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/from_rig.h"
+#include "nodes/model/gram.h"
 #include "nodes/model/region_pca.h"
 #include "nodes/model/track_video.h"
 #include "nodes/phantom/identity_modes.h"
@@ -119,6 +120,17 @@ void RegionPca(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(model::region_pca(all, &weights, {.components = 50}).modes.data());
 }
 BENCHMARK(RegionPca)->Arg(5)->Arg(1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+
+// The Gram matrix alone, as on a processor with registers of 256 bits.
+void GramNarrow(benchmark::State& state) {
+  const std::vector<double> row(60000, 0.5);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        model::gram_of_narrow(2000, row.size(), [&](std::size_t, std::size_t first, std::span<double> out) {
+          std::copy_n(row.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+        }));
+}
+BENCHMARK(GramNarrow)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void Extract(benchmark::State& state) {
   const FaceFit fit = model::fit_image(world().model, world().picture, world().points);
