@@ -18,7 +18,7 @@ namespace {
 // A vertex unrolled about the axis: along the turn (at 80 mm from the axis, so that all three are lengths), height,
 // radius.
 using Unrolled = std::array<double, 3>;
-constexpr double unroll_mm = 80, cell_mm = 4;
+constexpr double unroll_mm = 80, cell_mm = 4, farthest_mm = 10000;
 // Less than the head's own margin: near a corner a vertex that is not quite sure still keeps off what surely is the
 // other lip.
 constexpr float own_margin_mm = 1.5f;
@@ -26,6 +26,17 @@ constexpr float own_margin_mm = 1.5f;
 Unrolled unrolled(const Axis& axis, const Vec3f& point_mm) {
   const CylinderPlace place = cylinder_place(axis, point_mm);
   return {place.phi_rad * unroll_mm, place.h_mm, place.radius_mm};
+}
+
+std::vector<Unrolled> unrolled(const Axis& axis, const MeshPoints& points, const char* name) {
+  std::vector<Unrolled> all;
+  for (const Vec3f& p : points.points_mm) {
+    all.push_back(unrolled(axis, p));
+    check(std::hypot(all.back()[0], all.back()[1], all.back()[2]) < farthest_mm, name, " has a point ", all.size() - 1,
+          " at (", p[0], ", ", p[1], ", ", p[2], ") mm, expected one less than ", farthest_mm,
+          " mm from the axis's origin");
+  }
+  return all;
 }
 
 double cross2(const Unrolled& a, const Unrolled& b, const Unrolled& c) {
@@ -115,9 +126,7 @@ SurfaceMap look_up(const MorphableModel& model, const MeshPoints& fitted, const 
   const MouthOpening mouth = find_mouth_opening(mesh);
   if (mouth.found()) sides = sides_of(mesh, mesh.points_mm, mouth.upper, mouth.lower, reach, own_margin_mm);
 
-  std::vector<Unrolled> head, own;
-  for (const Vec3f& p : fitted.points_mm) head.push_back(unrolled(axis, p));
-  for (const Vec3f& p : shape.points_mm) own.push_back(unrolled(axis, p));
+  const std::vector<Unrolled> head = unrolled(axis, fitted, "fitted"), own = unrolled(axis, shape, "shape");
   const render::Triangulation all = render::triangulate(model.mean, false);
   const std::vector<std::uint8_t> skin = skin_polygons(model.mean, model.landmarks68);
   // Triangles that face outwards: counter-clockwise in the unrolled picture.

@@ -33,11 +33,19 @@ std::vector<Vec3f> colours_of(const Mesh& mesh) {
   if (mesh.colors_srgb.empty() && mesh.parts.empty()) return {};
   std::vector<Vec3f> colours = mesh.colors_srgb;
   if (colours.empty()) colours.assign(mesh.points_mm.size(), {1, 1, 1});
+  check(colours.size() == mesh.points_mm.size(), "head has ", colours.size(), " colours for ", mesh.points_mm.size(),
+        " points");
   std::vector<Vec3f> part(colours.size(), {1, 1, 1});
-  for (const Part& p : mesh.parts)
-    for (std::size_t c = mesh.polygon_starts.at(p.first_polygon);
-         c < mesh.polygon_starts.at(p.first_polygon + p.polygon_count); ++c)
-      part.at(mesh.corners[c]) = p.albedo_srgb;
+  for (const Part& p : mesh.parts) {
+    const std::size_t first = p.first_polygon, last = first + p.polygon_count;
+    check(last <= mesh.polygon_count(), "head has a part ", p.name, " that ends at polygon ", last, ", its mesh at ",
+          mesh.polygon_count());
+    for (std::size_t c = mesh.polygon_starts[first]; c < mesh.polygon_starts[last]; ++c) {
+      check(mesh.corners[c] < part.size(), "head has a polygon with vertex ", mesh.corners[c], ", its points end at ",
+            part.size());
+      part[mesh.corners[c]] = p.albedo_srgb;
+    }
+  }
   for (std::size_t v = 0; v < colours.size(); ++v)
     for (std::size_t k = 0; k < 3; ++k) colours[v][k] *= part[v][k];
   return colours;

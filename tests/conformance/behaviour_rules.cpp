@@ -141,10 +141,10 @@ class Subject {
     look_at_threads();
     for (std::size_t p = 0; p < params_.size(); ++p)
       if (node_.info.params[p].inert.empty())
-        judge("parameter", node_.info.params[p].name, param_counts(p),
-              "every parameter counts: no value changes the result, and it is not declared inert{\"why\"}");
+        judge("parameter", node_.info.params[p].name, effect_of_param(p), "value",
+              ", and it is not declared inert{\"why\"}");
     for (std::size_t p = 0; p < inputs_[0].size(); ++p)
-      judge("input", node_.info.inputs[p].name, input_counts(p), "every input counts: no sample changes the result");
+      judge("input", node_.info.inputs[p].name, effect_of_input(p), "sample", "");
   }
 
   Lines lines() const { return lines_; }
@@ -234,47 +234,74 @@ class Subject {
     return all;
   }
 
-  void judge(const std::string& kind, const std::string& name, bool counts, const std::string& rule) {
-    const bool listed = all_samples().shown_elsewhere.count(node_.info.name + "." + name) > 0;
-    if (!counts && !listed) tell(kind + " " + name, rule);
-    if (counts && listed) tell(kind + " " + name, "it does count: strike it out of shown_elsewhere");
+  // What the values tried for a parameter or an input lead to. An error alone is none: a node that refused every value
+  // but one would pass, though nothing that it makes depends on it.
+  enum class Effect { none, refusal, result };
+
+  void judge(const std::string& kind, const std::string& name, Effect effect, const std::string& tried,
+             const std::string& unless) {
+    const AreaSamples& samples = all_samples();
+    const std::string full = node_.info.name + "." + name, every = "every " + kind + " counts: ";
+    const bool shown = samples.shown_elsewhere.count(full) > 0, refuses = samples.only_refuses.count(full) > 0;
+    if (effect == Effect::none && !shown)
+      tell(kind + " " + name, every + "no " + tried + " changes the result" + unless);
+    if (effect == Effect::refusal && !shown && !refuses)
+      tell(kind + " " + name, every + "some " + tried + "s are refused, none changes the result");
+    if (effect == Effect::result && (shown || refuses))
+      tell(kind + " " + name,
+           std::string("it does count: strike it out of ") + (shown ? "shown_elsewhere" : "only_refuses"));
+    if (effect == Effect::none && refuses)
+      tell(kind + " " + name, every + "it is in only_refuses, and no " + tried + " is refused");
   }
 
-  bool param_counts(std::size_t p) {
+  static void note(const Outcome& plain, const Outcome& changed, Effect& effect) {
+    if (changed == plain) return;
+    if (!plain.threw && !changed.threw)
+      effect = Effect::result;
+    else if (effect == Effect::none)
+      effect = Effect::refusal;
+  }
+
+  Effect effect_of_param(std::size_t p) {
     const ParamInfo& info = node_.info.params[p];
     const std::string text = engine::to_text(params_[p]);
+    Effect effect = Effect::none;
     for (const Setting& setting : settings(p)) {
       const Outcome plain =
           setting.params == params_ && !any_absent(setting.inputs) ? base_ : call(setting.inputs, setting.params);
       for (const ParamValue& other : other_values(node_.info, info, params_[p])) {
         if (engine::to_text(other) == text) {
           tell("parameter " + info.name, "key changes: another value has the same text, " + text);
-          return true;
+          return Effect::result;
         }
         Params changed = setting.params;
         changed[p] = other;
-        if (!(call(setting.inputs, changed) == plain)) return true;
+        note(plain, call(setting.inputs, changed), effect);
+        if (effect == Effect::result) return effect;
       }
     }
-    return false;
+    return effect;
   }
 
-  bool input_counts(std::size_t p) {
+  Effect effect_of_input(std::size_t p) {
+    Effect effect = Effect::none;
     for (const Setting& setting : settings(params_.size())) {
       if (setting.inputs[p].absent) continue;
       const Outcome plain = call(setting.inputs, setting.params);
       for (int v = 1; v < variants; ++v) {
         Setting changed = setting;
         changed.inputs[p] = inputs_[static_cast<std::size_t>(v)][p];
-        if (!(call(changed.inputs, changed.params) == plain)) return true;
+        note(plain, call(changed.inputs, changed.params), effect);
+        if (effect == Effect::result) return effect;
       }
       if (node_.info.inputs[p].optional) {
         Setting changed = setting;
         changed.inputs[p].absent = true;
-        if (!(call(changed.inputs, changed.params) == plain)) return true;
+        note(plain, call(changed.inputs, changed.params), effect);
+        if (effect == Effect::result) return effect;
       }
     }
-    return false;
+    return effect;
   }
 
   static bool any_absent(const PortValues& inputs) {

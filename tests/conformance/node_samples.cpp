@@ -47,7 +47,8 @@ Registered::Registered(AreaSamples area) {
   add(all.values, area.values);
   add(all.settings, area.settings);
   add(all.shown_elsewhere, area.shown_elsewhere);
-  add(all.without_sample, area.without_sample);
+  add(all.only_refuses, area.only_refuses);
+  add(all.sins, area.sins);
 }
 
 const AreaSamples& all_samples() { return areas(); }

@@ -124,8 +124,13 @@ std::optional<engine::Bytes> make_odd(const std::string& text, const engine::Byt
 }
 
 AnyValue odd_file(const engine::File& file, Oddity oddity) {
-  if (file.is_folder() || oddity == Oddity::not_a_number || oddity == Oddity::infinite) return nullptr;
+  if (oddity == Oddity::not_a_number || oddity == Oddity::infinite) return nullptr;
   const bool empty = oddity == Oddity::empty;
+  if (file.is_folder()) {
+    std::vector<engine::File::Entry> entries = file.entries();
+    entries.resize(empty ? 0 : 1);
+    return std::make_shared<const engine::File>(engine::File::folder(file.path(), entries));
+  }
   return test::sample_file((empty ? "empty" : "one_byte") + file.suffix(), empty ? "" : "0");
 }
 

@@ -37,6 +37,9 @@ TEST(Sins, AreFoundByTheirRuleAndNamed) {
        {"sins.ignore_parameter: parameter amount: every parameter counts: no value changes the result, and it is not "
         "declared inert{\"why\"}"}},
       {"sins.ignore_input", {"sins.ignore_input: input other: every input counts: no sample changes the result"}},
+      {"sins.only_refuse",
+       {"sins.only_refuse: parameter most: every parameter counts: some values are refused, none changes the result",
+        "sins.only_refuse: input other: every input counts: some samples are refused, none changes the result"}},
       {"sins.mutate_input", {"sins.mutate_input: input number: inputs unchanged: it was changed by the call"}},
       {"sins.open_undeclared", {"sins.open_undeclared: call: only its inputs are read: it opened /etc/os-release"}},
       {"sins.name_without_unit", {"sins.name_without_unit: parameter radius: its name does not end with its unit, mm"}},
@@ -74,6 +77,6 @@ TEST(Sins, AnErrorInALibrarysWordsIsNamed) {
       << lines[0];
 }
 
-TEST(Sins, AreAllLookedAt) { EXPECT_EQ(sinners().node_names().size(), 15u + engine::structural_nodes().size()); }
+TEST(Sins, AreAllLookedAt) { EXPECT_EQ(sinners().node_names().size(), 16u + engine::structural_nodes().size()); }
 
 }  // namespace

@@ -490,11 +490,30 @@ std::shared_ptr<const void> sample(const std::string& type, int variant) {
   return at == all.end() ? nullptr : at->second(variant);
 }
 
-std::shared_ptr<const void> sample_file(const std::string& name, const std::string& bytes) {
+namespace {
+
+std::filesystem::path in_own_folder(const std::string& name) {
   static const TemporaryFolder folder;
-  const std::string path = (folder.path() / name).string();
+  return folder.path() / name;
+}
+
+}  // namespace
+
+std::shared_ptr<const void> sample_file(const std::string& name, const std::string& bytes) {
+  const std::string path = in_own_folder(name).string();
   std::ofstream(path, std::ios::binary) << bytes;
   return std::make_shared<const engine::File>(engine::File::at(path));
+}
+
+std::shared_ptr<const void> sample_folder(const std::string& name, const std::map<std::string, std::string>& files) {
+  const std::filesystem::path folder = in_own_folder(name);
+  std::vector<engine::File::Entry> entries;
+  for (const auto& [relative, bytes] : files) {
+    std::filesystem::create_directories((folder / relative).parent_path());
+    std::ofstream(folder / relative, std::ios::binary) << bytes;
+    entries.push_back({relative, (folder / relative).string()});
+  }
+  return std::make_shared<const engine::File>(engine::File::folder(folder.string(), entries));
 }
 
 }  // namespace test

@@ -18,6 +18,8 @@ const Maker grainy_scan = changed<face::DepthScan>(another("depth_scan", 2), [](
   for (std::size_t i = 0; i < scan.picture.pixels.size(); ++i) scan.picture.pixels[i] ^= i * i % 13;
 });
 
+const std::string as_the_mask = "it says what the mask was made with, and others are refused";
+
 const Registered align({
     .inputs =
         {
@@ -34,6 +36,8 @@ const Registered align({
                {"align.crop.rows", whole(24)},
                {"align.crop.columns", whole(32)},
                {"align.crop.step_mm", 8.0}},
+    .values = {{"align.choose_reference.frame", {text("0"), text("1"), text("2")}}},
+    .only_refuses = {{"align.crop.rows", as_the_mask}, {"align.crop.columns", as_the_mask}},
 });
 
 }  // namespace

@@ -50,8 +50,11 @@ struct AreaSamples {
   std::map<std::string, std::vector<ParamValues>> settings = {};
   // By "node.parameter" or "node.port": why it does not count with any samples. The suite fails when it does count.
   std::map<std::string, std::string> shown_elsewhere = {};
-  // By node that is not called: why.
-  std::map<std::string, std::string> without_sample = {};
+  // By "node.parameter" or "node.port" that some values are refused for and no result depends on: why. The suite fails
+  // when one does.
+  std::map<std::string, std::string> only_refuses = {};
+  // By node that breaks a rule on purpose: what is found, all of it.
+  std::map<std::string, std::vector<std::string>> sins = {};
 };
 
 // Puts an area's samples among those of all areas; as a constant of a file. A name that is there already throws.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 
 #include "tests/conformance/samples/shared.h"
+#include "tests/support/depth_pictures.h"
 #include "tests/support/samples.h"
 
 namespace conformance {
@@ -25,6 +27,36 @@ Sample tone(engine::Plugins&, int variant) {
   return {test::sample_file("tone" + std::to_string(variant) + ".wav", bytes), "file"};
 }
 
+// Recorded takes a to d, each of another grey; in each a frame is nearer and one is cut in half.
+Sample takes(engine::Plugins&, int variant) {
+  std::map<std::string, std::string> files = {{"camera.json", test::depth_camera_json}};
+  for (int take = 0; take < 4; ++take)
+    for (const int frame : {1, 2, 3, 4, 6}) {
+      const std::string name = std::string(1, static_cast<char>('a' + take)) + "/" + std::to_string(frame) + ".pgm";
+      const std::vector<int> depth = frame == 3   ? test::ball(860)
+                                     : frame == 4 ? test::ball(900, 32)
+                                                  : test::ball(900 - 2 * frame - variant);
+      files["depth/" + name] = test::pgm(depth, 65535);
+      files["picture/" + name] =
+          test::pgm(std::vector<int>(test::depth_width * test::depth_height, 60 + 20 * take + frame), 255);
+    }
+  if (variant > 0) files["cloud/e" + std::to_string(variant) + "/1.xyz"] = "0 0 800\n";
+  return {test::sample_folder("takes" + std::to_string(variant), files), "file"};
+}
+
+// Modes of a square of the size of a head in cm.
+Sample modes(engine::Plugins&, int variant) {
+  const auto square = [](double x, double z) {
+    std::ostringstream text;
+    text << "v 0 0 0\nv " << 16 + x << " 0 0\nv 16 24 " << z << "\nv 0 24 0\nf 1 2 3 4\n";
+    return text.str();
+  };
+  return {test::sample_folder("modes" + std::to_string(variant), {{"generic_neutral_mesh.obj", square(0, 0)},
+                                                                  {"identity000.obj", square(1 + variant, 0)},
+                                                                  {"identity001.obj", square(0, 0.5)}}),
+          "file"};
+}
+
 const Registered decode({
     .inputs =
         {
@@ -40,6 +72,11 @@ const Registered decode({
                                                             R"([{"frame": 5, "point": "b", "xy": [10, 13]}])"})},
             {"decode.rig.names",
              text_file(".json", {R"({"jawOpen": "jawOpen"})", R"({"jawOpen": "jawLeft", "jawLeft": "jawOpen"})"})},
+            {"decode.identity_modes.folder", modes},
+            {"decode.list_takes.folder", takes},
+            {"decode.depth_take.folder", takes},
+            {"decode.depth_take.take",
+             made([](int variant) { return std::string(1, static_cast<char>('a' + variant)); })},
             {"decode.structured_light.projector", another("camera", 12)},
         },
     .sequences = {{"decode.structured_light.images", sequence_by("phantom.pattern_images", "images")}},
@@ -48,10 +85,13 @@ const Registered decode({
                {"decode.structured_light.projector_width_px", whole(64)},
                {"decode.structured_light.fine_periods", whole(8)},
                {"decode.structured_light.coarse_periods", whole(1)}},
-    .without_sample =
-        {
-            {"decode.identity_modes", "it reads an ICT-FaceKit folder; tests/nodes/decode reads the real one"},
-        },
+    // Between what the frames are.
+    .values = {{"decode.depth_take.near_mm", {830.0}},
+               {"decode.depth_take.far_mm", {830.0}},
+               {"decode.depth_take.least_width_mm", {100.0}},
+               {"decode.depth_take.most_width_mm", {100.0}},
+               {"decode.depth_take.face_change_mm", {10.0}},
+               {"decode.depth_take.least_face", {0.9}}},
 });
 
 }  // namespace

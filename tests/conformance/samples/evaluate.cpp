@@ -76,6 +76,7 @@ const Registered evaluate({
     .lengths = {{"evaluate.mouth_time_offset.weights", 30},
                 {"evaluate.mouth_time_offset.truth", 30},
                 {"evaluate.sync.weights", 30}},
+    .values = {{"evaluate.curve_plot.start_s", {0.03}}},
 });
 
 }  // namespace

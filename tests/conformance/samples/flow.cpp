@@ -15,6 +15,9 @@ const Maker start = made([](int variant) {
 
 const Registered flow({
     .inputs = {{"flow.dis.target", another("feature_map", 8)}, {"flow.dis.start", start}},
+    .values = {{"flow.dis.channel", {text("radius")}},
+               {"flow.farneback.channel", {text("radius")}},
+               {"flow.tvl1.channel", {text("radius")}}},
 });
 
 }  // namespace

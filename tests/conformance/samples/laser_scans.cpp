@@ -209,6 +209,8 @@ const Registered laser_scans({
             {"model.scan_template.row_step_px", whole(1)},
             {"model.scan_template.column_step_px", whole(1)},
         },
+    .values = {{"model.add_teeth.upper", {text("1"), text("2"), text("3")}},
+               {"model.add_teeth.lower", {text("1"), text("2"), text("3")}}},
     .shown_elsewhere = {{"model.compare_shapes.surface", same_polygons},
                         {"model.match_cylinder.surface", same_polygons},
                         {"model.resample_shape.surface", same_polygons},

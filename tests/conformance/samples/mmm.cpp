@@ -67,7 +67,12 @@ const Registered mmm({
             {"mmm.check_labels.timeline", spoken_timeline},
         },
     .types = {{"mmm", made_by("mmm.build", "model")}},
-    .params = {{"mmm.paste.left_px", whole(10)}, {"mmm.paste.top_px", whole(20)}, {"mmm.paste.feather_px", 4.0}},
+    .params = {{"mmm.paste.left_px", whole(10)},
+               {"mmm.paste.top_px", whole(20)},
+               {"mmm.paste.feather_px", 4.0},
+               {"mmm.crop.width_px", whole(32)},
+               {"mmm.crop.height_px", whole(24)}},
+    .only_refuses = {{"mmm.check_labels.timeline", "labels that do not end with it are refused, others given back"}},
 });
 
 }  // namespace

@@ -16,13 +16,6 @@ const Registered scan_stream({
     .shown_elsewhere = {{"evaluate.mesh_lip_gap.rig", open_mouths},
                         {"evaluate.mesh_lip_gap.phones", open_mouths},
                         {"evaluate.mesh_lip_gap.timeline", open_mouths}},
-    .without_sample =
-        {
-            {"decode.depth_take",
-             "it reads the folder of a recording; tests/nodes/decode/depth_take_test.cpp makes some"},
-            {"decode.list_takes",
-             "it reads the folder of a recording; tests/nodes/decode/depth_take_test.cpp makes some"},
-        },
 });
 
 }  // namespace

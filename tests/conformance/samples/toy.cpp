@@ -10,17 +10,16 @@ const Registered toy({
             {"toy.blob.size_mb", 0.001},
             {"toy.cheap_blob.size_mb", 0.001},
             {"toy.blob_size.seconds", 0.0},
+            {"toy.sleep.seconds", 0.01},
+            {"toy.slow_read.seconds", 0.01},
             {"toy.fail.when", text("nothing of the kind")},
             {"toy.contains.part", text("Bob")},
             {"toy.count_up.count", whole(5)},
         },
     .values = {{"toy.fail.when", {text("Bob")}}},
-    .without_sample =
-        {
-            {"toy.unsteady", "it is the bad example that `facegraph cache audit` finds in tests"},
-            {"toy.slow_read", "it only waits while it reads, for tests of files that change"},
-            {"toy.sleep", "it only waits"},
-        },
+    .only_refuses = {{"toy.fail.when", "it is what the node fails at"}},
+    // `facegraph cache audit` finds it in tests, and so do these rules.
+    .sins = {{"toy.unsteady", {"toy.unsteady: result: same result twice: the second differs"}}},
 });
 
 }  // namespace

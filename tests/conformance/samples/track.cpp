@@ -70,13 +70,16 @@ const Maker correction = made([](int variant) {
   return face::Landmarks{{{"lip_3", 65 + 0.5 * variant, 57 - 0.5 * variant, true}}};
 });
 
-const Maker nose_put_right = made(
-    [](int variant) { return face::Landmarks{{{"30", 30 + 0.5 * variant, 22 - 0.5 * variant, true}}}; });
+const Maker nose_put_right = made([](int variant) {
+  return face::Landmarks{{{"30", 30 + 0.5 * variant, 22 - 0.5 * variant, true}}};
+});
 
 // Four frames of which one is shown longer.
 const Maker uneven_timeline = made([](int variant) {
   return face::Timeline{{0, 0.04, 0.08 + 0.02 * variant, 0.12 + 0.02 * variant}, 0.16 + 0.02 * variant};
 });
+
+engine::ParamValue names(std::vector<std::string> list) { return list; }
 
 const Registered track({
     .inputs =
@@ -97,7 +100,11 @@ const Registered track({
             {"track.report.timeline", uneven_timeline},
         },
     .params = {{"track.face_flow.margin", 0.1}},
-    .values = {{"track.klt.max_return_error_px", {50.0}}},
+    .values = {{"track.klt.max_return_error_px", {50.0}},
+               {"track.chain_flow.names", {names({"30", "33"})}},
+               {"track.find_rest.from_share", {0.5}},
+               {"track.stabilise.rigid", {names({"eye_inner_r", "eye_inner_l"})}}},
+    .settings = {{"track.find_rest", {{{"still_share", 1.0}, {"to_share", 1.0}}}}},
 });
 
 }  // namespace

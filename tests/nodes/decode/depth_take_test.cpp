@@ -10,6 +10,7 @@
 
 #include "nodes/decode/list_takes.h"
 #include "tests/nodes/decode/temporary.h"
+#include "tests/support/depth_pictures.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace {
@@ -17,18 +18,10 @@ namespace {
 using namespace face;
 using namespace face::decode;
 
-constexpr int width = 64, height = 48;
+using test::ball;
+using test::pgm;
 
-// A grey picture as PGM, of 8 or 16 bits.
-std::string pgm(const std::vector<int>& values, int most, int columns = width) {
-  std::string out = "P5\n" + std::to_string(columns) + " " + std::to_string(static_cast<int>(values.size()) / columns) +
-                    "\n" + std::to_string(most) + "\n";
-  for (const int v : values) {
-    if (most > 255) out += static_cast<char>(v / 256);
-    out += static_cast<char>(v % 256);
-  }
-  return out;
-}
+constexpr int width = test::depth_width, height = test::depth_height;
 
 // An uncompressed OpenEXR file of one channel of floats (openexr.com, OpenEXR File Layout).
 std::string exr(const std::vector<float>& values) {
@@ -71,22 +64,6 @@ std::string exr(const std::vector<float>& values) {
   return out;
 }
 
-// A ball of 80 mm before the camera, in tenths of a mm; nothing beside it.
-std::vector<int> ball(int distance_mm = 900) {
-  std::vector<int> depth(width * height, 0);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const double dx = (x - 31.5) * distance_mm / 200, dy = (y - 23.5) * distance_mm / 200,
-                   left = 80 * 80 - dx * dx - dy * dy;
-      if (left > 0)
-        depth[static_cast<std::size_t>(y * width + x)] = static_cast<int>(10 * (distance_mm - std::sqrt(left)));
-    }
-  return depth;
-}
-
-const char* const camera_json =
-    R"({"fx": 200, "fy": 200, "cx": 31.5, "cy": 23.5, "width": 64, "height": 48, "depth_unit_mm": 0.1, "rate_hz": 40})";
-
 class Heard : public engine::Progress {
  public:
   void warn(const std::string& text) override { texts.push_back(text); }
@@ -96,7 +73,7 @@ class Heard : public engine::Progress {
 // A recorded stream on disk.
 class Stream {
  public:
-  explicit Stream(const std::string& camera = camera_json) { files_.write("camera.json", camera); }
+  explicit Stream(const std::string& camera = test::depth_camera_json) { files_.write("camera.json", camera); }
   void depth(const std::string& frame, const std::vector<int>& values) {
     files_.write("depth/a/" + frame + ".pgm", pgm(values, 65535));
   }

@@ -21,42 +21,18 @@
 #include "nodes/transfer/resample.h"
 #include "nodes/transfer/rest_shape.h"
 #include "tests/support/expect_throw_text.h"
+#include "tests/support/lip_sheet.h"
 
 namespace {
 
 using namespace face;
 using namespace face::transfer;
 
-constexpr int columns = 41, rows = 41;
+constexpr int columns = test::sheet_columns, rows = test::sheet_rows;
 
-// A sheet of squares of 2 mm on a cylinder of 90 mm about the y axis, with an opening 18 squares wide in its middle.
-// gap_mm: how much farther than one square the lips are apart.
-Mesh sheet(double gap_mm, double radius_mm = 90) {
-  Mesh mesh;
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) {
-      const double phi = (c - 20) * 2.0 / 90;
-      // Rows 0 to 20 are above the opening, 21 to 40 below it; its corners stay together.
-      const double wide = std::max(0.0, 1 - std::pow((c - 20) / 9.0, 2)),
-                   near = std::max(0.0, 1 - std::abs(r - 20.5) / 12);
-      const double y = (20 - r) * 2.0 + (r <= 20 ? 0.5 : -0.5) * gap_mm * wide * near;
-      mesh.points_mm.push_back({static_cast<float>(radius_mm * std::sin(phi)), static_cast<float>(y),
-                                static_cast<float>(radius_mm * std::cos(phi))});
-      mesh.colors_srgb.push_back({0.5f, 0.5f, 0.5f});
-      mesh.uvs.push_back({(static_cast<float>(c) + 0.5f) / columns, 1 - (static_cast<float>(r) + 0.5f) / rows});
-    }
-  mesh.polygon_starts = {0};
-  for (int r = 0; r + 1 < rows; ++r)
-    for (int c = 0; c + 1 < columns; ++c) {
-      if (r == 20 && c >= 11 && c < 29) continue;  // between the lips
-      const auto at = [&](int dr, int dc) { return static_cast<std::uint32_t>((r + dr) * columns + c + dc); };
-      for (const std::uint32_t v : {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}) mesh.corners.push_back(v);
-      mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    }
-  return mesh;
-}
+Mesh sheet(double gap_mm, double radius_mm = 90) { return test::lip_sheet(gap_mm, radius_mm); }
 
-std::uint32_t node(int row, int column) { return static_cast<std::uint32_t>(row * columns + column); }
+std::uint32_t node(int row, int column) { return test::sheet_vertex(row, column); }
 
 MorphableModel model_of(const Mesh& mesh) {
   MorphableModel model;
@@ -105,15 +81,7 @@ TEST(LipSides, AreToldByTheOpeningAndTheWayAroundIt) {
 }
 
 TEST(LipSides, FindNoMouthInAClosedSheet) {
-  Mesh mesh = sheet(4);
-  mesh.corners.clear();
-  mesh.polygon_starts = {0};
-  for (int r = 0; r + 1 < rows; ++r)
-    for (int c = 0; c + 1 < columns; ++c) {
-      for (const std::uint32_t v : {node(r, c), node(r + 1, c), node(r + 1, c + 1), node(r, c + 1)})
-        mesh.corners.push_back(v);
-      mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    }
+  const Mesh mesh = test::lip_sheet(4, 90, false);
   EXPECT_FALSE(find_mouth_opening(mesh).found());
   class : public engine::Progress {
    public:
@@ -220,6 +188,9 @@ TEST(LookUp, KeepsTouchingLipsApart) {
   const Table table = judge_lips(places, truth, rig_of(shut));
   EXPECT_EQ(table.columns, (std::vector<std::string>{"vertices", "wrong", "lost"}));
   EXPECT_THROW_TEXT(look_up(model, {}, open, shape, {}), "fitted has 0 points, the model 1681");
+  shape.points_mm[3] = {NAN, 2, 3};
+  EXPECT_THROW_TEXT(look_up(model, {shut.points_mm}, open, shape, {}),
+                    "shape has a point 3 at (nan, 2, 3) mm, expected one less than 10000 mm from the axis's origin");
 }
 
 TEST(JudgeLips, CountsVerticesThatWereFoundOnTheOtherLip) {
@@ -259,6 +230,11 @@ TEST(Resample, TakesPointsAndColoursAndFillsInBetween) {
   EXPECT_NEAR(coloured.colors_srgb[node(8, 8)][0], 0.8f, 1e-4);
   EXPECT_EQ(coloured.points_mm, mesh.points_mm);
   EXPECT_THROW_TEXT(resample(places, head, nullptr, nullptr, mesh, {}), "shape has 0 points, the mesh 1681");
+  head.neutral.parts = {{"face", 0, 1600, {1, 1, 1}, 0, true}};
+  EXPECT_THROW_TEXT(resample_colours(places, head, mesh),
+                    "head has a part face that ends at polygon 1600, its mesh at 1582");
+  head.neutral.colors_srgb.pop_back();
+  EXPECT_THROW_TEXT(resample_colours(places, head, mesh), "head has 1680 colours for 1681 points");
 }
 
 TEST(ResampleScan, TakesTheScansOwnShape) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <random>
+#include <stdexcept>
 
 namespace sins {
 
@@ -23,6 +24,11 @@ double sum_by_threads(const double& number) {
 }
 
 double ignore_parameter(const double& number, const IgnoreParameterOptions&) { return number; }
+
+double only_refuse(const double& number, const double& other, const OnlyRefuseOptions& options) {
+  if (number > options.most || other > options.most) throw std::runtime_error("a number is too large");
+  return number;
+}
 
 double ignore_input(const double& number, const double&) { return number; }
 

@@ -15,6 +15,11 @@ struct IgnoreParameterOptions {
 };
 double ignore_parameter(const double& number, const IgnoreParameterOptions& options);
 
+struct OnlyRefuseOptions {
+  double most = 4;
+};
+double only_refuse(const double& number, const double& other, const OnlyRefuseOptions& options);
+
 double ignore_input(const double& number, const double& other);
 double mutate_input(const double& number);
 double read_clock(const double& number);
