@@ -7,4 +7,5 @@ using namespace face::model;
 NODE("model.project_shape", &project_shape, version{1}, doc{"Coefficients of a shape in a linear space of shapes."},
      input{"model", "The space"}, input{"shape", "The shape"},
      input{"known", "False where the frame is lost: no coefficients; unconnected: it is not"},
+     param("in_sigmas", &ProjectShapeOptions::in_sigmas, "Coefficients count in standard deviations"),
      output("coefficients", "One per component"));

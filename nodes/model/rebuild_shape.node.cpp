@@ -8,4 +8,5 @@ NODE("model.rebuild_shape", &rebuild_shape, version{1}, doc{"The shape of coeffi
      input{"model", "The space"}, input{"coefficients", "One per component, or fewer"},
      param("amplify", &RebuildShapeOptions::amplify, range{-100.0, 100.0}, unit{"1"},
            "How many times the departure from the mean is enlarged"),
+     param("in_sigmas", &RebuildShapeOptions::in_sigmas, "Coefficients count in standard deviations"),
      output("shape", "The shape"));

@@ -173,6 +173,11 @@ void check_sizes(const ShapeModel& model) {
         " numbers, expected ", model.size() * numbers, " for ", model.size(), " components");
 }
 
+void check_sigmas(const ShapeModel& model) {
+  for (const double sigma : model.sigmas_mm)
+    check(sigma > 0, "the model has a deviation of ", sigma, ", expected more than 0");
+}
+
 }  // namespace
 
 std::vector<double> coefficients_of(const ShapeModel& model, const std::vector<double>& shape_mm) {
@@ -200,18 +205,27 @@ std::vector<double> shape_of(const ShapeModel& model, const std::vector<double>&
   return out;
 }
 
-Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known) {
+Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known,
+                      const ProjectShapeOptions& options) {
   if (known && !*known) return {};
   std::vector<double> x;
   for (const Vec3f& p : shape.points_mm)
     for (const float value : p) x.push_back(static_cast<double>(value));
-  const std::vector<double> coefficients = coefficients_of(model, x);
+  std::vector<double> coefficients = coefficients_of(model, x);
+  if (options.in_sigmas) {
+    check_sigmas(model);
+    for (std::size_t k = 0; k < coefficients.size(); ++k) coefficients[k] /= model.sigmas_mm[k];
+  }
   return {std::vector<float>(coefficients.begin(), coefficients.end())};
 }
 
 MeshPoints rebuild_shape(const ShapeModel& model, const Weights& coefficients, const RebuildShapeOptions& options) {
-  const std::vector<double> x =
-      shape_of(model, std::vector<double>(coefficients.values.begin(), coefficients.values.end()), options.amplify);
+  std::vector<double> a(coefficients.values.begin(), coefficients.values.end());
+  if (options.in_sigmas) {
+    check_sigmas(model);
+    for (std::size_t k = 0; k < std::min(a.size(), model.size()); ++k) a[k] *= model.sigmas_mm[k];
+  }
+  const std::vector<double> x = shape_of(model, a, options.amplify);
   MeshPoints out;
   for (std::size_t v = 0; v < model.vertices; ++v)
     out.points_mm.push_back(

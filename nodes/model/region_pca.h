@@ -29,12 +29,18 @@ struct RegionPcaOptions {
 ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights,
                       const RegionPcaOptions& options = {});
 
+struct ProjectShapeOptions {
+  bool in_sigmas = false;  // as model_rig
+};
+
 // Coefficients of a shape, K of them. The model's vertices and the shape's are the same. known: false where the frame
 // is lost (align.orient did not solve it): no coefficients; null = it is not.
-Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known = nullptr);
+Weights project_shape(const ShapeModel& model, const MeshPoints& shape, const bool* known = nullptr,
+                      const ProjectShapeOptions& options = {});
 
 struct RebuildShapeOptions {
   double amplify = 1;
+  bool in_sigmas = false;  // as project_shape
 };
 
 // The shape of coefficients (k <= K of them; the rest are 0), their departure from the mean times amplify (the paper

@@ -22,6 +22,11 @@ double pull(const Phone& phone, const Phones& phones, Normalise normalise) {
   return 1;
 }
 
+std::vector<std::vector<std::string>> alike_on_the_lips() {
+  return {{"P", "B", "M"}, {"F", "V"}, {"TH", "DH"}, {"T", "D", "N"}, {"K", "G", "NG"}, {"S", "Z"},
+          {"SH", "ZH", "CH", "JH"}};
+}
+
 bool is_bilabial_closure(const std::string& label) {
   return label == "P.c" || label == "B.c" || label == "M" || label == "P" || label == "B";
 }
@@ -56,7 +61,15 @@ std::vector<double> solve_full(const std::vector<const MatrixXd*>& precision, co
 
 const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const std::string& label) {
   const std::string whole = label.substr(0, label.find('.'));
-  for (const std::string& name : {label, whole, whole + ".c", whole + ".r"})
+  std::vector<std::string> names = {label, whole, whole + ".c", whole + ".r"};
+  for (const std::vector<std::string>& group : alike_on_the_lips()) {
+    if (std::find(group.begin(), group.end(), whole) == group.end()) continue;
+    // A release is like other releases alone: M and N are closures.
+    for (const char* half : {".c", "", ".r"})
+      if (label.ends_with(".r") == (std::string(half) == ".r"))
+        for (const std::string& other : group) names.push_back(other + half);
+  }
+  for (const std::string& name : names)
     for (const PhoneStatistic& phone : statistics.phones)
       if (phone.label == name) return phone;
   return statistics.all;

@@ -28,8 +28,9 @@ struct SpeakGaussianOptions {
   Closures closures = Closures::free;
 };
 
-// The statistic of a label: its own, else that of the whole phone or of its closure or release, else that of all
-// speech.
+// The statistic of a label: its own, else that of the whole phone or of its closure or release, else that of a
+// consonant that looks the same on the lips (P B M, F V, TH DH, T D N, K G NG, S Z, SH ZH CH JH; Fisher, Confusions
+// among Visually Perceived Consonants, JSHR 1968), else that of all speech.
 const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const std::string& label);
 
 // Turns phones into the path of least energy through a trained speaker's Gaussians (Animating Lip-Sync Speech Faces,

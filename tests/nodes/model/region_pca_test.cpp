@@ -189,6 +189,22 @@ TEST(ProjectShape, GivesNoCoefficientsToALostFrame) {
   EXPECT_TRUE(project_shape(model, shapes[0], &lost).values.empty());
 }
 
+TEST(ProjectShape, CountsInDeviationsWhereAsked) {
+  const std::vector<MeshPoints> shapes = random_shapes(40, 30, 3);
+  ShapeModel model = region_pca(engine::Seq<MeshPoints>(shapes), nullptr);
+  double square = 0;
+  for (const MeshPoints& shape : shapes) {
+    const Weights a = project_shape(model, shape, nullptr, {.in_sigmas = true});
+    square += std::pow(static_cast<double>(a.values[2]), 2) / 40;
+    const MeshPoints back = rebuild_shape(model, a, {.in_sigmas = true});
+    for (std::size_t v = 0; v < 30; ++v) EXPECT_NEAR(back.points_mm[v][1], shape.points_mm[v][1], 1e-3);
+  }
+  EXPECT_NEAR(square, 1, 1e-5);
+  model.sigmas_mm[1] = 0;
+  EXPECT_THROW_TEXT(project_shape(model, shapes[0], nullptr, {.in_sigmas = true}),
+                    "the model has a deviation of 0, expected more than 0");
+}
+
 TEST(RegionPca, AmplifiesDeparturesFromTheMean) {
   const std::vector<MeshPoints> shapes = random_shapes(20, 30, 3);
   const ShapeModel model = region_pca(engine::Seq<MeshPoints>(shapes), nullptr, {.components = 3});

@@ -167,6 +167,13 @@ TEST(SpeakGaussian, TakesTheNearestStatisticOfAPhoneThatWasNotSeen) {
   EXPECT_EQ(find_statistic(statistics, "P").label, "P.c");
   EXPECT_EQ(find_statistic(statistics, "AA.c").label, "AA");
   EXPECT_EQ(&find_statistic(statistics, "ZH"), &statistics.all);
+  for (const char* label : {"B.c", "B", "M"}) EXPECT_EQ(find_statistic(statistics, label).label, "P.c") << label;
+  EXPECT_EQ(find_statistic(statistics, "B.r").label, "P.r");
+  PhoneStatistics of_m = statistics;
+  of_m.phones = {find_statistic(statistics, "AA"), find_statistic(statistics, "AA")};
+  of_m.phones[1].label = "M";
+  EXPECT_EQ(find_statistic(of_m, "P.c").label, "M");
+  EXPECT_EQ(find_statistic(of_m, "P.r").label, "");
 }
 
 TEST(SpeakGaussian, RejectsStatisticsThatAreNone) {
