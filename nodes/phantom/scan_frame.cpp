@@ -62,7 +62,8 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
     const bool measured_light = seen.lit || !options.shadow_holes;
     const float cosine = std::max(0.0f, seen.projector_cosine);
     const float albedo = luminance(seen.albedo);
-    grey[seen.pixel] = 255 * curve(exposure * albedo * (ambient * seen.ambient + (seen.lit ? cosine : 0.0f)));
+    const float light = ambient * seen.ambient + (seen.lit ? cosine : 0.0f);
+    grey[seen.pixel] = 255 * curve(options.light ? exposure * albedo * light : albedo);
     const float smaller = options.shadow_holes ? std::min(seen.camera_cosine, cosine) : seen.camera_cosine;
     if (!measured_light || seen.lost > 0.5f || smaller < steepest || albedo * smaller < min_signal) return;
     if (dropouts > 0 && dropout.uniform(seen.pixel) < dropouts) return;

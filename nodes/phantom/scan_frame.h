@@ -34,6 +34,7 @@ struct ScanFrameOptions {
   double max_motion_mm = 4;      // a pixel whose depth changes more during the five pictures is lost
   double exposure = 0.85;        // light in the picture of a white surface that faces the projector, of 1
   double ambient = 0.12;         // light beside the projector's
+  bool light = true;             // false: the picture shows the surface's own grey, as without light and shade
   double grey_noise = 1.5;       // standard deviation of the picture, in 1/255; 0
   std::int64_t seed = 1;
 };
@@ -50,8 +51,9 @@ struct ScanFrameResult {
 // it is measured, ripple * (depth moved per picture) * sin(2 phase), which is what a steady motion does to phase
 // shifting (Weise, Leibe, Van Gool: Fast 3D Scanning with Automatic Motion Compensation, CVPR 2007, section 3); then
 // normal noise of noise_mm * (1 + grazing * (1 / cosine - 1)), with the smaller of the cosines towards camera and
-// projector, at least 0.1; then rounding to depth_step_mm. The picture is grey, sRGB, in even light from the projector.
-// weights, world_from_head: the frame and one on either side. dots, lost, id: may be null.
+// projector, at least 0.1; then rounding to depth_step_mm. The picture is grey, sRGB, in even light from the projector;
+// without light it is the albedo's luminance, the same in every frame, so that textures can be compared. weights,
+// world_from_head: the frame and one on either side. dots, lost, id: may be null.
 ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weights,
                            const engine::Window<RigidMotion>& world_from_head, const Camera& camera,
                            const Camera& projector, const SurfaceDots* dots, const VertexMask* lost,

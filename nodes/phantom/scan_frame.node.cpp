@@ -45,6 +45,7 @@ NODE(
           "A pixel whose depth changes more during the five pictures is lost"),
     param("ambient", &ScanFrameOptions::ambient, range{0.0, 10.0}, unit{"1"},
           "Light beside the projector's, which is 1"),
+    param("light", &ScanFrameOptions::light, "Off: the picture shows the surface's own grey, without light and shade"),
     param("grey_noise", &ScanFrameOptions::grey_noise, range{0.0, 64.0}, unit{"1"},
           "Standard deviation of the picture, in steps of 8 bits; 0 switches it off"),
     param("seed", &ScanFrameOptions::seed, range{0, 1000000}, unit{"1"}, "Another seed is other noise"),

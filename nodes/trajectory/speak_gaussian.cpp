@@ -23,7 +23,7 @@ double pull(const Phone& phone, const Phones& phones, Normalise normalise) {
 }
 
 std::vector<std::vector<std::string>> alike_on_the_lips() {
-  return {{"P", "B", "M"}, {"F", "V"}, {"TH", "DH"}, {"T", "D", "N"}, {"K", "G", "NG"}, {"S", "Z"},
+  return {{"P", "B", "M"},         {"F", "V"}, {"TH", "DH"}, {"T", "D", "N"}, {"K", "G", "NG"}, {"S", "Z"},
           {"SH", "ZH", "CH", "JH"}};
 }
 

@@ -37,8 +37,9 @@ const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const st
 // Eqs 6 and 7; Ezzat, Geiger and Poggio 2002): (x - mu)' D' Sigma^-1 D (x - mu) + lambda |x_t - x_(t-1)|^2. The plain
 // variant of trajectory.speak, for comparison.
 // Differs from the paper: lambda is per time, not per frame: lambda (rate / 30 Hz)^2; optionally the whole covariance;
-// optionally the middle of every bilabial closure is held where training had it, or at rest (the paper's large variances
-// of plosives leave lips open, and at 25 or 30 frames per second so does the mean of a closure of three frames).
+// optionally the middle of every bilabial closure is held where training had it, or at rest (the paper's large
+// variances of plosives leave lips open, and at 25 or 30 frames per second so does the mean of a closure of three
+// frames).
 Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics, engine::SeqWriter<Weights>& weights,
                         const SpeakGaussianOptions& options = {});
 

@@ -144,6 +144,23 @@ TEST(ScanFrame, HasAPictureWithTheGivenNoise) {
   EXPECT_NEAR(plain::spread_of(errors).mean, 0, 0.55);
 }
 
+TEST(ScanFrame, ShowsTheSurfacesOwnGreyWithoutLight) {
+  ScanFrameOptions options = clean();
+  options.light = false;
+  const Rig ball = plain::ball(90);
+  const ScanFrameResult lit = scan(ball, clean()), plain = scan(ball, options);
+  std::uint8_t least = 255, most = 0, least_lit = 255;
+  for (std::size_t i = 0; i < plain.scan.depth_mm.size(); ++i) {
+    if (!(plain.scan.depth_mm[i] > 0)) continue;
+    least = std::min(least, plain.scan.picture.pixels[i]);
+    most = std::max(most, plain.scan.picture.pixels[i]);
+    least_lit = std::min(least_lit, lit.scan.picture.pixels[i]);
+  }
+  EXPECT_EQ(least, most);
+  EXPECT_LT(least_lit + 50, least);
+  EXPECT_EQ(plain.scan.depth_mm, lit.scan.depth_mm);
+}
+
 TEST(ScanFrame, HasAHoleWhereTheProjectorIsHiddenOnTheFarSide) {
   // A small wall 100 mm before a large one: from 17 degrees to the left its shadow falls to the right of it.
   Rig rig = plain::wall(400, 0, 40);

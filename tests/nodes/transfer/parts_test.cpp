@@ -7,7 +7,9 @@
 
 #include "nodes/base/pose.h"
 #include "nodes/base/scan_points.h"
+#include "nodes/model/sample_scan.h"
 #include "nodes/transfer/cylinder_lookup.h"
+#include "nodes/transfer/draw_texture.h"
 #include "nodes/transfer/fit_identity.h"
 #include "nodes/transfer/judge_lips.h"
 #include "nodes/transfer/lip_sides.h"
@@ -366,4 +368,57 @@ TEST(PickTruth, FindsTheReferenceById) {
   EXPECT_EQ(result.truth.triangle[0], 9);
   EXPECT_EQ(result.world_from_head.translation_mm[2], 3);
   EXPECT_THROW_TEXT(pick_truth(truths, motions, "b.1"), "frame is \"b.1\", which none of 2 has");
+}
+
+// A tilted wall with a smooth picture, and the same wall seen by a scanner that stands elsewhere.
+TEST(DrawTexture, OfTheRightShapeIsTheFramesOwnPicture) {
+  DepthScan reference;
+  reference.camera.focal_px = 200;
+  reference.camera.position_mm = {0, 0, 200};
+  reference.camera.centre_x_px = reference.camera.centre_y_px = 31.5f;
+  const auto grey = [](double x_mm, double y_mm) {
+    return 120 + 40 * std::sin(0.2 * x_mm) + 30 * std::cos(0.15 * y_mm);
+  };
+  const auto seen_by = [&](DepthScan scan) {
+    scan.picture = {64, 64, 1, {}};
+    const ScanRays rays(scan.camera);
+    scan.depth_mm.assign(64 * 64, 200);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const Vec3f p = rays.point(x, y, 200);
+        scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(grey(p[0], p[1]))));
+      }
+    return scan;
+  };
+  DepthScan frame = reference;
+  frame.camera.position_mm = {5.3f, -3.1f, 200};
+  reference = seen_by(reference);
+  frame = seen_by(frame);
+  const Mesh mesh = model::scan_mesh(reference);
+  const DrawTextureResult result = draw_texture(mesh, reference, {mesh.points_mm}, frame);
+  EXPECT_EQ(result.picture.pixels, frame.picture.pixels);
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < result.mask.pixels.size(); ++i) {
+    if (result.mask.pixels[i] == 0) continue;
+    ++drawn;
+    ASSERT_NEAR(result.drawn.pixels[i], frame.picture.pixels[i], 1.01) << i;  // both are rounded
+  }
+  EXPECT_GT(drawn, 3000u);
+  // A shape that is 2 mm beside it shows.
+  MeshPoints moved{mesh.points_mm};
+  for (Vec3f& p : moved.points_mm) p[0] += 2;
+  const DrawTextureResult wrong = draw_texture(mesh, reference, moved, frame);
+  double square = 0;
+  for (std::size_t i = 0; i < wrong.mask.pixels.size(); ++i)
+    if (wrong.mask.pixels[i]) square += std::pow(wrong.drawn.pixels[i] - wrong.picture.pixels[i], 2);
+  EXPECT_GT(std::sqrt(square / static_cast<double>(drawn)), 5);
+}
+
+TEST(DrawTexture, RejectsAShapeOfAnotherMesh) {
+  DepthScan scan;
+  scan.camera.focal_px = 100;
+  scan.picture = {4, 4, 1, std::vector<std::uint8_t>(16, 0)};
+  scan.depth_mm.assign(16, 50);
+  const Mesh mesh = model::scan_mesh(scan);
+  EXPECT_THROW_TEXT(draw_texture(mesh, scan, {}, scan), "shape has 0 points, the mesh 4");
 }

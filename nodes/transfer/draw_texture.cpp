@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/transfer/draw_texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/base/check.h"
+#include "nodes/base/scan_points.h"
+#include "nodes/render/camera.h"
+#include "nodes/render/triangulate.h"
+
+namespace face::transfer {
+namespace {
+
+double grey_of(const Image& picture, int x, int y) {
+  const std::uint8_t* p = picture.pixels.data() +
+                          static_cast<std::size_t>(y * picture.width + x) * static_cast<std::size_t>(picture.channels);
+  return picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+}
+
+double grey_at(const Image& picture, double x, double y) {
+  x = std::clamp(x, 0.0, picture.width - 1.0);
+  y = std::clamp(y, 0.0, picture.height - 1.0);
+  const int x0 = std::clamp(static_cast<int>(x), 0, std::max(picture.width - 2, 0)),
+            y0 = std::clamp(static_cast<int>(y), 0, std::max(picture.height - 2, 0));
+  const int x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
+  const double fx = x - x0, fy = y - y0;
+  return (grey_of(picture, x0, y0) * (1 - fx) + grey_of(picture, x1, y0) * fx) * (1 - fy) +
+         (grey_of(picture, x0, y1) * (1 - fx) + grey_of(picture, x1, y1) * fx) * fy;
+}
+
+std::uint8_t level(double grey) { return static_cast<std::uint8_t>(std::clamp(std::lround(grey), 0l, 255l)); }
+
+}  // namespace
+
+DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
+                               const DepthScan& frame) {
+  check_scan(reference, "reference");
+  check_scan(frame, "frame");
+  check(mesh.uvs.size() == mesh.points_mm.size(), "mesh has ", mesh.uvs.size(), " uvs, expected one for each of its ",
+        mesh.points_mm.size(), " points");
+  check(shape.points_mm.size() == mesh.points_mm.size(), "shape has ", shape.points_mm.size(), " points, the mesh ",
+        mesh.points_mm.size());
+  const int width = frame.picture.width, height = frame.picture.height;
+  const std::vector<render::ScreenPoint> screen = render::project(frame.camera, shape.points_mm);
+  const render::Triangulation cut = render::triangulate(mesh);
+  const render::Raster raster = render::rasterize(screen, cut.triangles, {.width_px = width, .height_px = height});
+  DrawTextureResult result;
+  result.drawn = result.picture = result.mask = {width, height, 1, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      result.picture.pixels.push_back(level(grey_of(frame.picture, x, y)));
+      const std::int32_t triangle = raster.triangles[raster.index(x, y)];
+      result.mask.pixels.push_back(triangle >= 0 ? 255 : 0);
+      if (triangle < 0) {
+        result.drawn.pixels.push_back(0);
+        continue;
+      }
+      const render::Triangle& corners = cut.triangles[static_cast<std::size_t>(triangle)];
+      const Vec3f b = render::barycentrics_at(screen, corners, static_cast<float>(x), static_cast<float>(y));
+      double u = 0, v = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        u += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][0]);
+        v += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][1]);
+      }
+      result.drawn.pixels.push_back(level(
+          grey_at(reference.picture, u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
+    }
+  return result;
+}
+
+}  // namespace face::transfer

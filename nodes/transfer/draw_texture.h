@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "nodes/types/depth_scan.h"
+#include "nodes/types/image.h"
+#include "nodes/types/mesh.h"
+#include "nodes/types/mesh_points.h"
+
+namespace face::transfer {
+
+struct DrawTextureResult {
+  Image drawn;    // grey, as large as the frame's picture; 0 where nothing is drawn
+  Image picture;  // the frame's own, grey
+  Image mask;     // 255 where the face is drawn
+};
+
+// The reference's texture on a frame: the mesh with a frame's shape as that frame's camera sees it, every pixel in the
+// grey of the reference's picture there, bilinear. Where the shape is right and light does not change, it is the
+// frame's own picture (evaluate.texture_consistency tells how nearly). mesh: of model.scan_mesh, whose uvs are places
+// in the reference's picture; shape: its vertices in the frame, in the world of frame's camera (model.sample_scan's, of
+// align.orient's aligned scans).
+DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
+                               const DepthScan& frame);
+
+}  // namespace face::transfer

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/transfer/draw_texture.h"
+
+#include "engine/node.h"
+using namespace engine::declare;
+using namespace face::transfer;
+
+NODE("transfer.draw_texture", &draw_texture, version{1}, doc{"The reference's texture on a frame, beside that frame."},
+     input{"mesh", "Polygons, from model.scan_mesh"}, input{"reference", "The reference scan, whose picture is drawn"},
+     input{"shape", "Where the vertices are in the frame, from model.sample_scan"},
+     input{"frame", "The frame's scan, aligned with the reference"},
+     output("drawn", &DrawTextureResult::drawn, "The reference's texture as the frame's camera sees it"),
+     output("picture", &DrawTextureResult::picture, "The frame's own picture"),
+     output("mask", &DrawTextureResult::mask, "White where the face is drawn"));
