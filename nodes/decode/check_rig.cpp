@@ -36,7 +36,8 @@ const std::map<std::string, std::string>& synonyms() {
 
 // "mouthSmile_L" -> mouth, smile, left
 std::vector<std::string> words_of(std::string_view name) {
-  if (const std::size_t dot = name.find_last_of('.'); dot != std::string_view::npos && dot + 2 < name.size())
+  while (!name.empty() && ((name.back() >= '0' && name.back() <= '9') || name.back() == '.')) name.remove_suffix(1);
+  if (const std::size_t dot = name.find_last_of(".:|/"); dot != std::string_view::npos && dot + 2 < name.size())
     name.remove_prefix(dot + 1);
   std::vector<std::string> words(1);
   bool was_lower = false;
@@ -79,8 +80,8 @@ std::vector<std::string> shape_names(const engine::File& file) {
   }
   const tinygltf::Model model = load_gltf(file, gltf_main_file(file));
   for (const tinygltf::Mesh& mesh : model.meshes)
-    if (!mesh.primitives.empty())
-      for (std::size_t t = 0; t < mesh.primitives[0].targets.size(); ++t) add(gltf_target_name(mesh, t));
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      for (std::size_t t = 0; t < primitive.targets.size(); ++t) add(gltf_target_name(model, mesh, primitive, t));
   return names;
 }
 
@@ -111,7 +112,17 @@ std::string about(const Rig& rig) {
 std::string guess_arkit(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr double enough = 0.5;  // half of all words
   const std::vector<std::string> words = words_of(name);
+  // What has one of ARKit's names at its end, such as "Wolf_Head_jawOpen", is that shape.
   std::string best;
+  std::size_t most = 0;
+  for (const std::string& candidate : candidates) {
+    const std::vector<std::string> end = words_of(candidate);
+    if (end.size() <= most || words.size() < end.size() || !std::equal(end.rbegin(), end.rend(), words.rbegin()))
+      continue;
+    best = candidate;
+    most = end.size();
+  }
+  if (most > 0) return best;
   double best_likeness = 0;
   bool twice = false;
   for (const std::string& candidate : candidates) {

@@ -15,6 +15,9 @@
 namespace face::decode {
 namespace {
 
+constexpr const char* draco = "KHR_draco_mesh_compression";
+constexpr const char* meshopt = "EXT_meshopt_compression";
+
 // Lets tinygltf read what the node was given, and nothing else.
 tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
   tinygltf::FsCallbacks callbacks{};
@@ -40,6 +43,29 @@ tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
     return false;
   };
   return callbacks;
+}
+
+[[noreturn]] void refuse(const std::string& title, const char* extension, const char* advice) {
+  fail(title, ": its meshes are compressed (", extension, "), which is not read: ", advice);
+}
+
+[[noreturn]] void refuse_meshopt(const std::string& title) {
+  refuse(title, meshopt, "export it again without gltfpack's -c or -cc");
+}
+
+// Meshes in these are not where glTF has them.
+void refuse_compressed(const tinygltf::Model& model, const std::string& title) {
+  const auto plain = [&](int index) {
+    const auto at = static_cast<std::size_t>(std::max(index, 0));
+    return at < model.accessors.size() && (model.accessors[at].bufferView >= 0 || model.accessors[at].sparse.isSparse);
+  };
+  for (const tinygltf::Mesh& mesh : model.meshes)
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      for (const auto& [name, accessor] : primitive.attributes)
+        if (primitive.extensions.contains(draco) && !plain(accessor))
+          refuse(title, draco, "export it without compression (in Blender: Data > Compression off)");
+  for (const tinygltf::BufferView& view : model.bufferViews)
+    if (view.extensions.contains(meshopt)) refuse_meshopt(title);
 }
 
 }  // namespace
@@ -87,16 +113,29 @@ tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {
                            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
   std::replace(error.begin(), error.end(), '\n', ' ');
   while (!error.empty() && error.back() == ' ') error.pop_back();
+  if (!read && bytes.find(meshopt) != std::string::npos) refuse_meshopt(title);  // its buffers stand nowhere
+  if (!read && !given.is_folder() && !binary && error.find("not found") != std::string::npos)
+    fail(title, ": its buffers lie in files beside it: give the folder that holds them all, or export one .glb (",
+         error, ")");
   if (!read) fail(title, ": cannot be read as glTF: ", error.empty() ? "it is damaged" : error);
+  refuse_compressed(model, title);
   return model;
 }
 
-std::string gltf_target_name(const tinygltf::Mesh& mesh, std::size_t index) {
-  if (mesh.extras.IsObject() && mesh.extras.Has("targetNames")) {
-    const tinygltf::Value& names = mesh.extras.Get("targetNames");
+std::string gltf_target_name(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
+                             const tinygltf::Primitive& primitive, std::size_t index) {
+  for (const tinygltf::Value* extras : {&mesh.extras, &primitive.extras}) {
+    if (!extras->IsObject() || !extras->Has("targetNames")) continue;
+    const tinygltf::Value& names = extras->Get("targetNames");
     if (names.IsArray() && index < names.ArrayLen() && names.Get(static_cast<int>(index)).IsString())
       return names.Get(static_cast<int>(index)).Get<std::string>();
   }
+  if (index < primitive.targets.size())
+    if (const auto position = primitive.targets[index].find("POSITION"); position != primitive.targets[index].end()) {
+      const auto accessor = static_cast<std::size_t>(std::max(position->second, 0));
+      if (accessor < model.accessors.size() && !model.accessors[accessor].name.empty())
+        return model.accessors[accessor].name;
+    }
   return message("target ", index, " (unnamed)");
 }
 

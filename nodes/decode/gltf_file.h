@@ -7,6 +7,7 @@
 namespace tinygltf {
 class Model;
 struct Mesh;
+struct Primitive;
 }  // namespace tinygltf
 
 namespace face::decode {
@@ -15,10 +16,12 @@ namespace face::decode {
 engine::File gltf_main_file(const engine::File& file);
 
 // Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are left out. Throws with the
-// file's name where it is none, or damaged.
+// file's name where it is none, or damaged, or compressed by an extension that is not read (Draco, meshopt).
 tinygltf::Model load_gltf(const engine::File& given, const engine::File& main);
 
-// The name of a morph target (extras.targetNames), or "target N (unnamed)".
-std::string gltf_target_name(const tinygltf::Mesh& mesh, std::size_t index);
+// The name of a morph target: where exporters write it, that is extras.targetNames of the mesh, or of the primitive
+// (UniVRM, FBX2glTF), or the name of the accessor of its offsets; else "target N (unnamed)".
+std::string gltf_target_name(const tinygltf::Model& model, const tinygltf::Mesh& mesh,
+                             const tinygltf::Primitive& primitive, std::size_t index);
 
 }  // namespace face::decode

@@ -15,64 +15,12 @@
 #include "nodes/base/srgb.h"
 #include "nodes/decode/gltf_accessor.h"
 #include "nodes/decode/gltf_file.h"
+#include "nodes/decode/gltf_places.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/mouth_marks.h"
 
 namespace face::decode {
 namespace {
-
-// 4 x 4, column after column.
-using Matrix = std::array<double, 16>;
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix out{};
-  for (std::size_t c = 0; c < 4; ++c)
-    for (std::size_t r = 0; r < 4; ++r)
-      for (std::size_t k = 0; k < 4; ++k) out[c * 4 + r] += a[k * 4 + r] * b[c * 4 + k];
-  return out;
-}
-
-// w = 1 for points, 0 for offsets.
-Vec3f apply(const Matrix& m, const float* p, double w) {
-  Vec3f out;
-  for (std::size_t r = 0; r < 3; ++r)
-    out[r] = static_cast<float>(m[r] * static_cast<double>(p[0]) + m[4 + r] * static_cast<double>(p[1]) +
-                                m[8 + r] * static_cast<double>(p[2]) + m[12 + r] * w);
-  return out;
-}
-
-Matrix matrix_of(const tinygltf::Node& node) {
-  Matrix m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (node.matrix.size() == 16) {
-    std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
-    return m;
-  }
-  if (node.rotation.size() == 4) {
-    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
-    m = {1 - 2 * (y * y + z * z),
-         2 * (x * y + z * w),
-         2 * (x * z - y * w),
-         0,
-         2 * (x * y - z * w),
-         1 - 2 * (x * x + z * z),
-         2 * (y * z + x * w),
-         0,
-         2 * (x * z + y * w),
-         2 * (y * z - x * w),
-         1 - 2 * (x * x + y * y),
-         0,
-         0,
-         0,
-         0,
-         1};
-  }
-  if (node.scale.size() == 3)
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t r = 0; r < 3; ++r) m[c * 4 + r] *= node.scale[c];
-  if (node.translation.size() == 3)
-    for (std::size_t r = 0; r < 3; ++r) m[12 + r] = node.translation[r];
-  return m;
-}
 
 float srgb(double linear) { return static_cast<float>(srgb_of(std::clamp(linear, 0.0, 1.0))); }
 
@@ -91,7 +39,8 @@ struct Raw {
 
 class Collector {
  public:
-  Collector(const tinygltf::Model& model, const std::string& title) : model_(model), title_(title) {}
+  Collector(const tinygltf::Model& model, const std::string& title)
+      : model_(model), title_(title), places_(gltf_places(model, title)) {}
 
   Raw collect() {
     std::vector<int> roots;
@@ -101,43 +50,46 @@ class Collector {
     } else {
       for (std::size_t i = 0; i < model_.nodes.size(); ++i) roots.push_back(static_cast<int>(i));
     }
-    for (const int root : roots) visit(root, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 0);
+    for (const int root : roots) visit(root);
     for (auto& offsets : raw_.shape_offsets) offsets.resize(raw_.points.size());
     return std::move(raw_);
   }
 
  private:
-  void visit(int index, const Matrix& parent, int depth) {
+  void visit(int index) {
     check(index >= 0 && static_cast<std::size_t>(index) < model_.nodes.size(), title_, ": refers to node ", index,
           " of ", model_.nodes.size());
-    check(depth < 256, title_, ": node ", index, " is its own ancestor, expected a tree of nodes");
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
-    const Matrix world = product(parent, matrix_of(node));
     if (node.mesh >= 0 && static_cast<std::size_t>(node.mesh) < model_.meshes.size())
-      // A skinned mesh is placed by its joints: its node's place does not count (glTF 2.0, section 3.7.3.3).
-      add_mesh(model_.meshes[static_cast<std::size_t>(node.mesh)], node.skin >= 0 ? matrix_of({}) : world);
-    for (const int child : node.children) visit(child, world, depth + 1);
+      add_mesh(model_.meshes[static_cast<std::size_t>(node.mesh)], places_[static_cast<std::size_t>(index)], node.skin);
+    for (const int child : node.children) visit(child);
   }
 
-  void add_mesh(const tinygltf::Mesh& mesh, const Matrix& world) {
+  void add_mesh(const tinygltf::Mesh& mesh, const GltfMatrix& place, int skin) {
     if (mesh.extras.IsObject() && mesh.extras.Has("facegraph")) raw_.notes = &mesh.extras.Get("facegraph");
     std::map<int, std::uint32_t> first_of;  // primitives may share their vertices
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (position == primitive.attributes.end()) continue;
-      const auto [place, added] =
+      const auto [first, added] =
           first_of.try_emplace(position->second, static_cast<std::uint32_t>(raw_.points.size()));
-      if (added) add_vertices(mesh, primitive, position->second, world);
-      add_triangles(primitive, place->second, static_cast<std::uint32_t>(raw_.points.size()), mesh);
+      if (added) add_vertices(mesh, primitive, position->second, place, skin);
+      const std::size_t begin = raw_.triangles.size();
+      add_triangles(primitive, first->second, static_cast<std::uint32_t>(raw_.points.size()), mesh);
+      if (skin < 0 && mirrors(place))  // glTF 2.0, section 3.7.4
+        for (std::size_t t = begin; t < raw_.triangles.size(); ++t)
+          std::swap(raw_.triangles[t][1], raw_.triangles[t][2]);
     }
   }
 
   void add_vertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, int position,
-                    const Matrix& world) {
+                    const GltfMatrix& place, int skin) {
     const std::size_t first = raw_.points.size();
     const std::vector<float> points = read_floats(model_, position, 3, title_);
     const std::size_t count = points.size() / 3;
-    for (std::size_t v = 0; v < count; ++v) raw_.points.push_back(apply(world, &points[v * 3], 1));
+    const std::vector<GltfMatrix> places = skin >= 0 ? skin_places(model_, skin, primitive, places_, count, title_)
+                                                     : std::vector<GltfMatrix>(count, place);
+    for (std::size_t v = 0; v < count; ++v) raw_.points.push_back(apply(places[v], &points[v * 3], 1));
     raw_.uvs.resize(first + count);
     raw_.colors.resize(first + count, Vec3f{1, 1, 1});
     if (const auto uv = primitive.attributes.find("TEXCOORD_0"); uv != primitive.attributes.end()) {
@@ -161,10 +113,11 @@ class Collector {
       const auto target = primitive.targets[t].find("POSITION");
       if (target == primitive.targets[t].end()) continue;
       const std::vector<float> values = read_floats(model_, target->second, 3, title_);
-      expect_rows(values.size() / 3, count, "offsets of shape " + gltf_target_name(mesh, t));
-      std::vector<Vec3f>& offsets = offsets_of(gltf_target_name(mesh, t));
+      const std::string name = gltf_target_name(model_, mesh, primitive, t);
+      expect_rows(values.size() / 3, count, "offsets of shape " + name);
+      std::vector<Vec3f>& offsets = offsets_of(name);
       offsets.resize(first + count);
-      for (std::size_t v = 0; v < count; ++v) offsets[first + v] = apply(world, &values[v * 3], 0);
+      for (std::size_t v = 0; v < count; ++v) offsets[first + v] = apply(places[v], &values[v * 3], 0);
     }
   }
 
@@ -226,6 +179,7 @@ class Collector {
 
   const tinygltf::Model& model_;
   const std::string& title_;
+  const std::vector<GltfMatrix> places_;  // of the nodes
   Raw raw_;
 };
 

@@ -89,7 +89,7 @@ ReadAnimationResult read_gltf(const engine::File& file, const ShapeNames& names)
     check(!times.empty() && targets > 0 && values.size() == times.size() * targets * (spline ? 3 : 1), title,
           ": found ", values.size(), " weights for ", times.size(), " keys of ", targets, " targets");
     for (std::size_t t = 0; t < targets; ++t) {
-      const std::string found = gltf_target_name(mesh, t);
+      const std::string found = gltf_target_name(model, mesh, mesh.primitives[0], t);
       const auto mapped = names.to_arkit.find(found);
       Curve curve{mapped != names.to_arkit.end() ? mapped->second : arkit_spelling(found), {}, {}};
       if (std::any_of(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == curve.name; })) continue;

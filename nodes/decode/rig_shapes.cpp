@@ -17,6 +17,9 @@ namespace {
 // Offsets below this are rounding of the file's decimals, not motion.
 constexpr float still_mm = 1e-4f;
 
+// What stands between a name and those of the mesh, the deformer or the namespace before it.
+constexpr std::string_view separators = ".:|/";
+
 // Names are compared without case, '_', '-' and spaces.
 std::string bare(std::string_view name) {
   std::string out;
@@ -66,20 +69,34 @@ std::string joined(const Names& names) {
 }  // namespace
 
 std::string arkit_spelling(std::string_view name) {
-  if (const std::size_t dot = name.find_last_of('.'); dot != std::string_view::npos) name.remove_prefix(dot + 1);
-  if (const auto known = arkit_named(name)) return *known;
   struct Side {
     std::string_view end, spelled;
   };
-  for (const Side side : {Side{"_left", "Left"}, Side{"_right", "Right"}, Side{"left", "Left"}, Side{"right", "Right"},
-                          Side{"_l", "Left"}, Side{"_r", "Right"}}) {
-    if (!ends_with_any_case(name, side.end)) continue;
-    const std::string base(name.substr(0, name.size() - side.end.size()));
-    if (const auto sided = arkit_named(base + std::string(side.spelled))) return *sided;
-    if (const auto whole = arkit_named(base)) return *whole;
-    return base + std::string(side.spelled);
+  // "_l" and the like before "l" alone, which no name is taken to end with.
+  static constexpr Side sides[] = {{"_left", "Left"}, {"_right", "Right"}, {".left", "Left"}, {".right", "Right"},
+                                   {"-left", "Left"}, {"-right", "Right"}, {"left", "Left"},  {"right", "Right"},
+                                   {"_l", "Left"},    {"_r", "Right"},     {".l", "Left"},    {".r", "Right"},
+                                   {"-l", "Left"},    {"-r", "Right"}};
+  // Without more and more of what may stand before a name.
+  for (std::string_view rest = name;;) {
+    if (const auto known = arkit_named(rest)) return *known;
+    std::string sided;  // if it is none of ARKit's
+    for (const Side& side : sides) {
+      if (!ends_with_any_case(rest, side.end)) continue;
+      const std::string base(rest.substr(0, rest.size() - side.end.size()));
+      if (const auto whole = arkit_named(base + std::string(side.spelled))) return *whole;
+      if (const auto half = arkit_named(base)) return *half;
+      sided = base + std::string(side.spelled);
+      break;
+    }
+    const std::size_t separator =
+        sided.empty() ? rest.find_first_of(separators) : std::string_view(sided).find_first_of(separators);
+    const bool copy = separator != std::string_view::npos && separator + 1 < rest.size() &&
+                      rest.find_first_not_of("0123456789", separator + 1) == std::string_view::npos;
+    if (separator == std::string_view::npos || separator + 1 >= rest.size() || copy)
+      return sided.empty() ? std::string(rest) : sided;
+    rest.remove_prefix(separator + 1);
   }
-  return std::string(name);
 }
 
 ShapeNames read_shape_names(const engine::File& file) {

@@ -16,10 +16,11 @@ namespace face::decode {
 inline constexpr std::string_view needed_shapes[] = {"jawOpen",     "mouthClose",     "mouthFunnel",
                                                      "mouthPucker", "mouthRollLower", "mouthRollUpper"};
 
-// A rig's name of a shape in ARKit's spelling: case, '_' and prefixes up to the last '.' ("head_blendShapes.") do not
-// count, _L/_R/_Left/_Right at the end are Left/Right. A name that is none of ARKit's comes back with only its side
-// spelled out. A side of an ARKit shape that has none (browInnerUp_L, cheekPuff_R) is that shape: its halves are added
-// up.
+// A rig's name of a shape in ARKit's spelling: case, '_', '-' and prefixes up to a '.', ':', '|' or '/'
+// ("head_blendShapes.", "Face:") do not count, _L/_R/_Left/_Right at the end (or .L, -L, as Blender has them) are
+// Left/Right. Blender's copies ("jawOpen.001") are none of ARKit's. A name that is none of ARKit's comes back with only
+// its side spelled out. A side of an ARKit shape that has none (browInnerUp_L, cheekPuff_R) is that shape: its halves
+// are added up.
 std::string arkit_spelling(std::string_view name);
 
 // Names of a file's shapes and what ARKit calls them.

@@ -21,6 +21,9 @@ TEST(GuessArkit, GoesByTheWordsOfAName) {
   EXPECT_EQ(guess_arkit("lips-kiss", all), "mouthPucker");
   EXPECT_EQ(guess_arkit("BlinkLeft", all), "eyeBlinkLeft");
   EXPECT_EQ(guess_arkit("inner_brow_raise", all), "browInnerUp");
+  EXPECT_EQ(guess_arkit("Wolf3D_Head_mouthSmile_L", all), "mouthSmileLeft");
+  EXPECT_EQ(guess_arkit("bs_jawOpen", all), "jawOpen");
+  EXPECT_EQ(guess_arkit("jawOpen.001", all), "jawOpen");
   EXPECT_EQ(guess_arkit("smile", all), "");  // left or right
   EXPECT_EQ(guess_arkit("Key 12", all), "");
   EXPECT_EQ(guess_arkit("", all), "");

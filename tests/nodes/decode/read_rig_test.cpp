@@ -215,4 +215,14 @@ TEST(RigShapes, SpellsNamesAsArkitDoes) {
   EXPECT_EQ(arkit_spelling("jawRight"), "jawRight");
   EXPECT_EQ(arkit_spelling("cheekRaiser_L"), "cheekRaiserLeft");
   EXPECT_EQ(arkit_spelling("viseme_PP"), "viseme_PP");
+  EXPECT_EQ(arkit_spelling("blendShape1.jawOpen"), "jawOpen");
+  EXPECT_EQ(arkit_spelling("Head|blendShape1.mouthSmile_L"), "mouthSmileLeft");
+  EXPECT_EQ(arkit_spelling("Face:JawOpen"), "jawOpen");
+  EXPECT_EQ(arkit_spelling("mouthSmile.L"), "mouthSmileLeft");  // Blender's sides
+  EXPECT_EQ(arkit_spelling("Head.mouthSmile.R"), "mouthSmileRight");
+  EXPECT_EQ(arkit_spelling("eye-blink-l"), "eyeBlinkLeft");
+  EXPECT_EQ(arkit_spelling("Head.cheekRaiser.L"), "cheekRaiserLeft");
+  EXPECT_EQ(arkit_spelling("jawOpen.001"), "jawOpen.001");  // a copy: added up it would open the jaw twice
+  EXPECT_EQ(arkit_spelling("Head."), "Head.");
+  EXPECT_EQ(arkit_spelling(""), "");
 }
