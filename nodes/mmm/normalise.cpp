@@ -8,6 +8,7 @@
 #include "nodes/flow/image_channels.h"
 #include "nodes/flow/robust_flow.h"
 #include "nodes/mmm/crop.h"
+#include "nodes/mmm/refine_perspective.h"
 #include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
@@ -54,6 +55,7 @@ FitPerspectiveResult normalise(const Image& reference, const Image& frame, const
     box = {left, top, right - left + 1, bottom - top + 1};
   }
   Image before = crop(reference, box), after = crop(frame, box), within = mask ? crop(*mask, box) : Image{};
+  const Image whole_before = before, whole_after = after, whole_within = within;
   double scale = 1, offset = 0;
   if (options.half_size && box.width_px >= 32 && box.height_px >= 32) {
     before = halve_image(before), after = halve_image(after);
@@ -69,8 +71,12 @@ FitPerspectiveResult normalise(const Image& reference, const Image& frame, const
   FitPerspectiveOptions fit_options;
   fit_options.outlier_px = options.outlier_px / scale;
   FitPerspectiveResult result = fit_perspective(moved, mask ? &within : nullptr, fit_options);
-  result.target_from_reference =
-      rescale(result.target_from_reference, scale, offset + box.left_px, offset + box.top_px);
+  // To the pixels of the box, then to those of the picture.
+  result.target_from_reference = rescale(result.target_from_reference, scale, offset, offset);
+  if (options.refine && result.solved)
+    result.target_from_reference =
+        refine_perspective(whole_before, whole_after, mask ? &whole_within : nullptr, result.target_from_reference);
+  result.target_from_reference = rescale(result.target_from_reference, 1, 1.0 * box.left_px, 1.0 * box.top_px);
   result.rms_px *= scale;
   return result;
 }

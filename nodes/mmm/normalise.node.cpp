@@ -5,12 +5,13 @@
 using namespace engine::declare;
 using namespace face::mmm;
 
-NODE("mmm.normalise", &normalise, version{1},
+NODE("mmm.normalise", &normalise, version{2},
      doc{"How a head has moved since a reference frame, as a planar perspective, from robust flow of the pixels that "
          "move with the skull."},
      input{"reference", "The frame that stays where it is"}, input{"frame", "Another one"},
      input{"mask", "White where the head moves as a whole; without it all counts"},
      param("half_size", &NormaliseOptions::half_size, "Flow of pictures of half the size"),
+     param("refine", &NormaliseOptions::refine, "The plane is made right by the pictures themselves, at full size"),
      param("outlier_px", &NormaliseOptions::outlier_px, range{0.01, 100.0}, unit{"px"},
            "Distance from the plane's motion whose weight is a quarter"),
      param("levels", &NormaliseOptions::levels, range{1, 10}, unit{"1"}, "Pyramid levels of the flow"),

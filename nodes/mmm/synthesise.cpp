@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/mmm/add_grain.h"
+#include "nodes/mmm/keep_detail.h"
 #include "nodes/mmm/morph.h"
 #include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 
-Image synthesise(const Mmm& model, const Weights& parameters) {
+Image synthesise(const Mmm& model, const Weights& parameters, const SynthesiseOptions& options) {
   check_model(model);
   const std::size_t n = model.prototypes.size();
   check(parameters.values.size() == 2 * n, "there are ", parameters.values.size(), " parameters, expected ", 2 * n,
@@ -28,12 +30,23 @@ Image synthesise(const Mmm& model, const Weights& parameters) {
   }
   const double scale = positive > 0 && sum > 0 ? sum / positive : 1;
   std::vector<float> mixed(shape.pixels.size(), 0);
+  std::vector<MixedPicture> pictures;
   for (std::size_t i = 0; i < n; ++i) {
     // A share this small moves no pixel by a tenth of a grey level.
     const auto share = static_cast<float>(scale * static_cast<double>(beta[i]));
     if (!(share > 4e-4f)) continue;
-    const std::vector<float> morphed = morph_prototype(model, i, inverse, 1);
+    std::vector<float> morphed = morph_prototype(model, i, inverse, 1);
     for (std::size_t p = 0; p < mixed.size(); ++p) mixed[p] += share * morphed[p];
+    if (options.most_gain > 1) {
+      const std::vector<std::uint8_t>& own = model.prototypes[i].image.pixels;
+      const double energy = detail_energy({own.begin(), own.end()}, shape.width, shape.height);
+      pictures.push_back({std::move(morphed), static_cast<double>(share), energy});
+    }
+  }
+  // One picture is its own mean.
+  if (pictures.size() > 1) {
+    const Image& reference = model.prototypes[static_cast<std::size_t>(model.reference)].image;
+    keep_detail(mixed, pictures, shape.width, shape.height, grain_level(reference, 1), options.most_gain);
   }
   Image image{shape.width, shape.height, 3, {}};
   for (const float value : mixed) image.pixels.push_back(to_byte(static_cast<double>(value)));
