@@ -13,4 +13,5 @@ TYPE(CylinderScan, "cylinder_scan", codec_version{1}, doc{"Radius and colour aro
      field<&CylinderScan::step_mm>(), field<&CylinderScan::phi_step_rad>(),
      field<&CylinderScan::picture>(field<&Image::width>(), field<&Image::height>(), field<&Image::channels>(),
                                    field<&Image::pixels>()),
-     field<&CylinderScan::radius_mm>(), view{"png", "phantom.draw_laser_scan"});
+     field<&CylinderScan::radius_mm>(), view{"png", "phantom.draw_laser_scan"},
+     difference{"evaluate.cylinder_scan_difference"});

@@ -11,4 +11,4 @@ TYPE(DepthScan, "depth_scan", codec_version{1}, doc{"One frame of a 3D scanner: 
                                field<&Camera::centre_y_px>()),
      field<&DepthScan::picture>(field<&Image::width>(), field<&Image::height>(), field<&Image::channels>(),
                                 field<&Image::pixels>()),
-     field<&DepthScan::depth_mm>(), view{"png", "phantom.draw_scan"});
+     field<&DepthScan::depth_mm>(), view{"png", "phantom.draw_scan"}, difference{"evaluate.depth_scan_difference"});

@@ -7,11 +7,13 @@
 
 #include "nodes/evaluate/image_difference.h"
 #include "nodes/evaluate/landmarks_difference.h"
+#include "nodes/evaluate/map_differences.h"
 #include "nodes/evaluate/mesh_difference.h"
 #include "nodes/evaluate/number_differences.h"
 #include "nodes/evaluate/rig_difference.h"
 #include "tests/nodes/evaluate/small_face.h"
 #include "tests/nodes/evaluate/table_of.h"
+#include "tests/support/expect_throw_text.h"
 
 namespace face::evaluate {
 namespace {
@@ -85,6 +87,64 @@ TEST(RigDifference, ComparesHeadsOfOtherMeshesByTheirSurface) {
   const RigDifferenceResult result = rig_difference(a, b);
   EXPECT_EQ(result.table.rows.size(), 2u);
   EXPECT_EQ(cell(result.table, "all", "matched"), 0);
+}
+
+TEST(DepthScanDifference, MeasuresDepthsWhereBothHaveSome) {
+  DepthScan a;
+  a.picture = {4, 1, 1, {10, 20, 30, 40}};
+  a.depth_mm = {500, 600, 700, 0};
+  DepthScan b = a;
+  b.depth_mm = {500, 603, 0, 800};
+  b.picture.pixels[2] = 70;
+  MapDifferenceResult result = depth_scan_difference(a, b);
+  EXPECT_EQ(cell(result.table, "mean_mm"), 1.5);
+  EXPECT_EQ(cell(result.table, "largest_mm"), 3);
+  EXPECT_EQ(cell(result.table, "only_in_a"), 1);
+  EXPECT_EQ(cell(result.table, "only_in_b"), 1);
+  EXPECT_NEAR(cell(result.table, "picture_rms_levels"), 20, 1e-9);  // 40 in one of four
+  EXPECT_EQ(cell(result.table, "same_camera"), 1);
+  ASSERT_EQ(result.picture.width, 3 * 4 + 2 * 8);
+  EXPECT_EQ(result.picture.pixels[3 * 24], 0);
+  EXPECT_EQ(result.picture.pixels[3 * 25], 255);
+  b.camera.focal_px += 1;
+  EXPECT_EQ(cell(depth_scan_difference(a, b).table, "same_camera"), 0);
+  b.picture = {2, 1, 1, {1, 2}};
+  b.depth_mm = {500, 600};
+  result = depth_scan_difference(a, b);
+  EXPECT_TRUE(std::isnan(cell(result.table, "mean_mm")));
+  EXPECT_EQ(result.picture.width, 4 + 8 + 2);
+  b.depth_mm.pop_back();
+  EXPECT_THROW_TEXT(depth_scan_difference(a, b), "depth_mm has 1 values, its picture is 2 x 1 pixels");
+}
+
+TEST(CylinderScanDifference, MeasuresRadiiAndTellsAnotherGrid) {
+  CylinderScan a;
+  a.picture = {2, 1, 3, {10, 20, 30, 40, 50, 60}};
+  a.radius_mm = {80, 90};
+  CylinderScan b = a;
+  b.radius_mm[1] = 92;
+  b.top_mm += 1;
+  const MapDifferenceResult result = cylinder_scan_difference(a, b);
+  EXPECT_EQ(cell(result.table, "mean_mm"), 1);
+  EXPECT_EQ(cell(result.table, "picture_rms_levels"), 0);
+  EXPECT_EQ(cell(result.table, "same_grid"), 0);
+  EXPECT_EQ(cell(cylinder_scan_difference(a, a).table, "same_grid"), 1);
+  EXPECT_EQ(cell(cylinder_scan_difference(a, a).table, "mean_mm"), 0);
+}
+
+TEST(AlbedoDifference, MeasuresTheChannelThatIsFarthestApart) {
+  const AlbedoMap a{2, 1, {{0.5f, 0.25f, 0.25f}, {0.5f, 0.5f, 0.5f}}, {1, 0}};
+  AlbedoMap b = a;
+  b.albedo[0] = {0.5f, 0.5f, 0.125f};
+  b.weight = {0, 1};
+  const MapDifferenceResult result = albedo_difference(a, b);
+  EXPECT_EQ(cell(result.table, "mean"), 0.125);
+  EXPECT_EQ(cell(result.table, "largest"), 0.25);
+  EXPECT_EQ(cell(result.table, "only_in_a"), 1);
+  EXPECT_EQ(cell(result.table, "only_in_b"), 1);
+  EXPECT_EQ(result.picture.pixels[0], 188);  // sRGB of 0.5
+  b.albedo.pop_back();
+  EXPECT_THROW_TEXT(albedo_difference(a, b), "b has 1 colours and 2 weights, expected 2 x 1");
 }
 
 TEST(ImageDifference, MeasuresLevelsAndShowsWhere) {
