@@ -10,6 +10,8 @@ std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& l
   const auto place = [](const std::string& name) -> int {
     for (int i = 0; i < 12; ++i)
       if (name == "lip_" + std::to_string(i)) return 48 + i;
+    for (int i = 0; i < 8; ++i)
+      if (name == "inner_lip_" + std::to_string(i)) return 60 + i;
     if (name.size() == 2 && name[0] >= '0' && name[0] <= '6' && name[1] >= '0' && name[1] <= '9') {
       const int number = 10 * (name[0] - '0') + name[1] - '0';
       return number < 68 ? number : -1;

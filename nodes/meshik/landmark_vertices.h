@@ -17,8 +17,8 @@ struct LandmarkVertex {
 
 // The rig's vertices at the landmarks of the 18-point layout (lip_0 to lip_11 from the right corner of the mouth over
 // the upper lip, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l, nose_tip), which are points 48 to 59, 7
-// to 9, 39, 42 and 30 of its 68; or at those that are named by their number, "00" to "67". Landmarks of other names are
-// left out. Throws where the rig has no landmarks or no
+// to 9, 39, 42 and 30 of its 68, and of inner_lip_0 to inner_lip_7, which are 60 to 67; or at those that are named by
+// their number, "00" to "67". Landmarks of other names are left out. Throws where the rig has no landmarks or no
 // landmark of the layout is there.
 std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks);
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/base/check.h"
+#include "nodes/base/check_image.h"
 
 namespace face::track {
 namespace {
@@ -88,11 +88,7 @@ engine::File annotate(const engine::Seq<Image>& frames, const engine::Seq<Landma
     if (static_cast<std::int64_t>(data["frames"].size()) >= options.max_frames) break;
     const auto index = static_cast<std::size_t>(i);
     const auto image = frames.at(index);
-    check(image->width > 0 && image->height > 0 && image->channels > 0 &&
-              image->pixels.size() == static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height) *
-                                          static_cast<std::size_t>(image->channels),
-          "frame ", frames.id(index), " has ", image->pixels.size(), " values, expected ", image->width, " x ",
-          image->height, " pixels of ", image->channels, " channels");
+    check_image(*image, "frame " + frames.id(index));
     if (data["frames"].empty()) data["image_size"] = {image->width, image->height};
     Json entry{{"frame", i}, {"picture", jpeg_url(*image, static_cast<int>(options.jpeg_quality))}};
     if (tracks) {

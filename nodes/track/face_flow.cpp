@@ -7,6 +7,7 @@
 #include <string>
 
 #include "nodes/base/check.h"
+#include "nodes/base/check_image.h"
 #include "nodes/base/image_part.h"
 #include "nodes/flow/image_channels.h"
 #include "nodes/flow/robust_flow.h"
@@ -14,12 +15,8 @@
 namespace face::track {
 namespace {
 
-void check_image(const Image& image, const std::string& name, const Image& frame) {
-  const std::size_t expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-                               static_cast<std::size_t>(image.channels);
-  check(image.width > 0 && image.height > 0 && image.channels > 0 && image.pixels.size() == expected, name, " has ",
-        image.pixels.size(), " values, expected ", image.width, " x ", image.height, " pixels of ", image.channels,
-        " channels");
+void check_alike(const Image& image, const std::string& name, const Image& frame) {
+  check_image(image, name);
   check(image.width == frame.width && image.height == frame.height && image.channels == frame.channels, name, " is ",
         image.width, " x ", image.height, " pixels of ", image.channels, " channels, the frame is ", frame.width, " x ",
         frame.height, " of ", frame.channels);
@@ -52,10 +49,10 @@ Box box_of(const Landmarks& start, const Image& frame, double margin) {
 FlowField face_flow(const engine::Window<Image>& frames, const Landmarks& start, const Image* reference,
                     const FaceFlowOptions& options) {
   const Image& frame = frames.centre();
-  check_image(frame, "the frame", frame);
+  check_image(frame, "the frame");
   const Image* from = reference;
   if (!from && frames.centre_index() > 0) from = &frames[frames.centre_index() - 1];
-  if (from) check_image(*from, reference ? "reference" : "the previous frame", frame);
+  if (from) check_alike(*from, reference ? "reference" : "the previous frame", frame);
   const Box box = box_of(start, frame, options.margin);
   const int scale = options.half_size ? 2 : 1;
   FlowField flow{frame.width / scale, frame.height / scale, {}, {}};

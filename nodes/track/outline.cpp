@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
-#include "nodes/track/patch.h"
+#include "nodes/track/face_colours.h"
 
 namespace face::track {
 namespace {
@@ -17,48 +17,6 @@ using Vector2 = Eigen::Vector2d;
 constexpr int inside_px = 4, outside_px = 6;  // of a profile
 constexpr int samples = inside_px + 1 + outside_px;
 constexpr double seam_px = 3;  // how far across it the seam between the lips is looked for
-
-// The pictures that profiles are read from: a box of the frame.
-struct Channels {
-  Grey red, blue, luma;  // log((R+8)/(G+8)), log((B+8)/(G+8)), 0 to 1
-  Vector2 origin;        // place of the box's first pixel
-};
-
-Channels channels_of(const Image& image, const std::vector<Vector2>& places, double margin_px) {
-  Vector2 low = places.front(), high = low;
-  for (const Vector2& p : places) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const auto clamped = [](double value, int size) { return std::clamp(static_cast<int>(value), 0, size - 1); };
-  const int x0 = clamped(low.x() - margin_px, image.width), x1 = clamped(high.x() + margin_px + 1, image.width);
-  const int y0 = clamped(low.y() - margin_px, image.height), y1 = clamped(high.y() + margin_px + 1, image.height);
-  Image box{x1 - x0 + 1, y1 - y0 + 1, image.channels, {}};
-  const auto stride = static_cast<std::size_t>(image.channels);
-  for (int y = y0; y <= y1; ++y) {
-    const auto begin = image.pixels.begin() + (static_cast<std::ptrdiff_t>(y) * image.width + x0) * image.channels;
-    box.pixels.insert(box.pixels.end(), begin, begin + static_cast<std::ptrdiff_t>(box.width) * image.channels);
-  }
-  Channels out;
-  out.origin = Vector2(x0, y0);
-  out.red = out.blue = {box.width, box.height, {}};
-  out.luma = grey_of(box);
-  for (float& value : out.luma.values) value /= 255;
-  for (std::size_t i = 0; i < box.pixels.size(); i += stride) {
-    const auto log_of = [&](std::size_t k) { return std::log(static_cast<float>(box.pixels[i + k]) + 8.0f); };
-    out.red.values.push_back(stride < 3 ? 0 : log_of(0) - log_of(1));
-    out.blue.values.push_back(stride < 3 ? 0 : log_of(2) - log_of(1));
-  }
-  return out;
-}
-
-double luma_at(const Channels& channels, const Vector2& place) {
-  const Vector2 p = place - channels.origin;
-  return static_cast<double>(channels.luma.at(p.x(), p.y()));
-}
-
-Eigen::Vector3d colour_at(const Channels& channels, const Vector2& place) {
-  const Vector2 p = place - channels.origin;
-  return {static_cast<double>(channels.red.at(p.x(), p.y())), static_cast<double>(channels.blue.at(p.x(), p.y())),
-          luma_at(channels, place)};
-}
 
 // The points of the outline with the directions out of the mouth and along its edge.
 struct Edge {
@@ -89,32 +47,38 @@ Edge edge_of(const Landmarks& points, const std::vector<std::size_t>& outline) {
   return edge;
 }
 
-double lipness_at(const Channels& channels, const Matrix& look, const Vector2& p) {
-  const Eigen::Vector3d colour = colour_at(channels, p);
-  return look.at(0, 0) * colour.x() + look.at(0, 1) * colour.y() + look.at(0, 2) * colour.z() + look.at(0, 3);
+Box box_of(const std::vector<Vector2>& places) {
+  Box box;
+  for (const Vector2& p : places) box.include(p.x(), p.y());
+  return box;
+}
+
+double lipness_at(const FaceColours& colours, const Matrix& look, const Vector2& p) {
+  const std::array<double, 3> colour = colours.at(p.x(), p.y());
+  return look.at(0, 0) * colour[0] + look.at(0, 1) * colour[1] + look.at(0, 2) * colour[2] + look.at(0, 3);
 }
 
 // Lipness along a normal, at offsets -inside_px - reach to outside_px + reach in half pixels.
-std::vector<double> lip_profile(const Channels& channels, const Matrix& look, const Vector2& place,
+std::vector<double> lip_profile(const FaceColours& colours, const Matrix& look, const Vector2& place,
                                 const Vector2& normal, const Vector2& along, int reach) {
   std::vector<double> out;
   for (int k = -2 * (inside_px + reach); k <= 2 * (outside_px + reach); ++k) {
     double sum = 0;
-    for (const double t : {-1.0, 0.0, 1.0}) sum += lipness_at(channels, look, place + 0.5 * k * normal + t * along);
+    for (const double t : {-1.0, 0.0, 1.0}) sum += lipness_at(colours, look, place + 0.5 * k * normal + t * along);
     out.push_back(sum / 3);
   }
   return out;
 }
 
 // The darkest value across the seam between the lips, along the mouth's width.
-std::vector<double> seam_profile(const Channels& channels, const Vector2& place, const Vector2& normal,
+std::vector<double> seam_profile(const FaceColours& colours, const Vector2& place, const Vector2& normal,
                                  const Vector2& along, int reach) {
   std::vector<double> out;
   for (int k = -2 * (inside_px + reach); k <= 2 * (outside_px + reach); ++k) {
     double darkest = 1;
     for (double t = -seam_px; t <= seam_px; t += 0.5) {
       const Vector2 p = place + 0.5 * k * normal + t * along;
-      darkest = std::min(darkest, luma_at(channels, p));
+      darkest = std::min(darkest, colours.luma_at(p.x(), p.y()));
     }
     out.push_back(darkest);
   }
@@ -122,14 +86,14 @@ std::vector<double> seam_profile(const Channels& channels, const Vector2& place,
 }
 
 // Where across the seam it is darkest: the centre of what is darker than the lighter half, px along `along`.
-double seam_offset_px(const Channels& channels, const Vector2& place, const Vector2& normal, const Vector2& along) {
+double seam_offset_px(const FaceColours& colours, const Vector2& place, const Vector2& normal, const Vector2& along) {
   double weight = 0, sum = 0, lightest = 0;
   std::vector<std::pair<double, double>> values;
   for (double t = -seam_px; t <= seam_px; t += 0.5) {
     double value = 0;
     for (const double k : {-2.0, -1.0, 0.0}) {
       const Vector2 p = place + k * normal + t * along;
-      value += luma_at(channels, p) / 3;
+      value += colours.luma_at(p.x(), p.y()) / 3;
     }
     values.emplace_back(t, value);
     lightest = std::max(lightest, value);
@@ -208,7 +172,8 @@ Fit fit_profile(const std::vector<double>& wanted, const std::vector<double>& se
 Matrix learn_outline(const Image& image, const Landmarks& points, const std::vector<std::size_t>& outline) {
   Matrix look{outline.size() + 1, samples, std::vector<double>((outline.size() + 1) * samples, 0.0)};
   const Edge edge = edge_of(points, outline);
-  const Channels channels = channels_of(image, edge.place, outside_px + seam_px + 2);
+  const FaceColours colours(image, box_of(edge.place), outside_px + seam_px + 2);
+  const auto colour_at = [&](const Vector2& p) { return Eigen::Vector3d(colours.at(p.x(), p.y()).data()); };
   const std::size_t count = outline.size(), half = count / 2;
   // Colours just inside and outside, half way between the points too.
   std::vector<Eigen::Vector3d> lip, skin;
@@ -218,14 +183,14 @@ Matrix learn_outline(const Image& image, const Landmarks& points, const std::vec
       if (t == 0 && i % half == 0) continue;
       const Vector2 p = (1 - t) * edge.place[i] + t * edge.place[j];
       const Vector2 n = t == 0 ? edge.normal[i] : Vector2((edge.normal[i] + edge.normal[j]).normalized());
-      for (const double k : {1.0, 2.0, 3.0}) lip.push_back(colour_at(channels, p - k * n));
-      for (const double k : {2.0, 3.5, 5.0}) skin.push_back(colour_at(channels, p + k * n));
+      for (const double k : {1.0, 2.0, 3.0}) lip.push_back(colour_at(p - k * n));
+      for (const double k : {2.0, 3.5, 5.0}) skin.push_back(colour_at(p + k * n));
     }
   }
-  const auto mean_of = [](const std::vector<Eigen::Vector3d>& colours) {
+  const auto mean_of = [](const std::vector<Eigen::Vector3d>& list) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const auto& c : colours) sum += c;
-    return Eigen::Vector3d(sum / static_cast<double>(colours.size()));
+    for (const auto& c : list) sum += c;
+    return Eigen::Vector3d(sum / static_cast<double>(list.size()));
   };
   const Eigen::Vector3d lip_mean = mean_of(lip), skin_mean = mean_of(skin);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Identity() * 1e-4;  // a colour that never changes decides nothing
@@ -241,8 +206,8 @@ Matrix learn_outline(const Image& image, const Landmarks& points, const std::vec
 
   std::vector<std::vector<double>> profiles;
   for (std::size_t i = 0; i < count; ++i)
-    profiles.push_back(i % half == 0 ? seam_profile(channels, edge.place[i], edge.normal[i], edge.along[i], 0)
-                                     : lip_profile(channels, look, edge.place[i], edge.normal[i], edge.along[i], 0));
+    profiles.push_back(i % half == 0 ? seam_profile(colours, edge.place[i], edge.normal[i], edge.along[i], 0)
+                                     : lip_profile(colours, look, edge.place[i], edge.normal[i], edge.along[i], 0));
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t s = 0; s < samples; ++s) {
       double value = profiles[i][2 * s];
@@ -256,7 +221,7 @@ Matrix learn_outline(const Image& image, const Landmarks& points, const std::vec
       look.at(i + 1, s) = value;
     }
   for (const std::size_t i : {std::size_t{0}, half})
-    look.at(0, i == 0 ? 4 : 5) = seam_offset_px(channels, edge.place[i], edge.normal[i], edge.along[i]);
+    look.at(0, i == 0 ? 4 : 5) = seam_offset_px(colours, edge.place[i], edge.normal[i], edge.along[i]);
   return look;
 }
 
@@ -265,7 +230,7 @@ EdgeSight see_outline(const Image& image, const Landmarks& expected, const Landm
   const Edge edge = edge_of(expected, outline);
   const std::size_t count = outline.size(), half = count / 2;
   const int reach = std::max(1, static_cast<int>(std::lround(reach_px)));
-  const Channels channels = channels_of(image, edge.place, outside_px + seam_px + 2 + 2 * reach);
+  const FaceColours colours(image, box_of(edge.place), outside_px + seam_px + 2 + 2 * reach);
   EdgeSight out;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector2 &place = edge.place[i], &normal = edge.normal[i], &along = edge.along[i];
@@ -277,15 +242,15 @@ EdgeSight see_outline(const Image& image, const Landmarks& expected, const Landm
     const Belief& belief = corner ? on_corner : on_lip;
     const int far = corner ? 2 * reach : reach;
     const Fit fit = fit_profile(wanted,
-                                corner ? seam_profile(channels, place, normal, along, far)
-                                       : lip_profile(channels, look, place, normal, along, far),
+                                corner ? seam_profile(colours, place, normal, along, far)
+                                       : lip_profile(colours, look, place, normal, along, far),
                                 far, corner, belief, rest_px);
     const double likeness = std::exp(-0.5 * std::pow(fit.error / belief.least_like, 2));
     const double sure = likeness / (belief.error_px * belief.error_px);
     Vector2 seen = place + fit.shift_px * normal;
     double across = 0;
     if (corner) {
-      seen += (seam_offset_px(channels, seen, normal, along) - look.at(0, i == 0 ? 4 : 5)) * along;
+      seen += (seam_offset_px(colours, seen, normal, along) - look.at(0, i == 0 ? 4 : 5)) * along;
       across = likeness / (seam_error_px * seam_error_px);
     }
     out.likeness.push_back(likeness);

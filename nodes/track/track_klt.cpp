@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "nodes/base/check.h"
+#include "nodes/base/check_image.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/jaw_line.h"
 #include "nodes/track/outline.h"
@@ -15,14 +15,7 @@ namespace {
 void check_inputs(const engine::Window<Image>& frames, const Landmarks& start,
                   const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
   const Image& frame = frames.centre();
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Image& image = frames[i];
-    const auto expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-                          static_cast<std::size_t>(image.channels);
-    check(image.width > 0 && image.height > 0 && image.channels > 0 && image.pixels.size() == expected, "a frame has ",
-          image.pixels.size(), " values, expected ", image.width, " x ", image.height, " pixels of ", image.channels,
-          " channels");
-  }
+  for (std::size_t i = 0; i < frames.size(); ++i) check_image(frames[i], "a frame");
   check(options.window_px % 2 == 1, "window_px is ", options.window_px, ", expected an odd number");
   for (const Landmark& point : start.points)
     if (!is_inside(point.x_px, point.y_px, frame.width, frame.height))

@@ -95,6 +95,8 @@ const Registered track({
             {"track.chain_flow.start", two_digit_points},
             {"track.chain_flow.correction", nose_put_right},
             {"track.chain_flow.from_first", another("flow_field", 2)},
+            {"track.inner_lips.image", clip},
+            {"track.inner_lips.landmarks", first_points},
             {"track.report.landmarks", losing_points(speaker_points)},
             {"track.report.state", states},
             {"track.report.timeline", uneven_timeline},

@@ -20,6 +20,7 @@ namespace test {
 struct PhantomClip {
   std::vector<std::shared_ptr<const face::Image>> frames;
   std::vector<face::Landmarks> truth;
+  std::vector<double> inner_gap_px;  // between the inner edges of the lips, in the middle
 };
 
 enum class Dots { none, painted };
@@ -58,6 +59,8 @@ inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots
     phantom::TruthLandmarksOptions truth_options;
     truth_options.set = phantom::LandmarkSet::lips18;
     clip.truth.push_back(phantom::truth_landmarks(person.person, weights[i], &motion[i], camera, truth_options));
+    const Landmarks all = phantom::truth_landmarks(person.person, weights[i], &motion[i], camera);
+    clip.inner_gap_px.push_back(all.points[66].y_px - all.points[62].y_px);
   }
   return clip;
 }

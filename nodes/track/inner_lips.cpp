@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/inner_lips.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nodes/base/check_image.h"
+#include "nodes/track/face_colours.h"
+
+namespace face::track {
+namespace {
+
+constexpr int samples = 64;                                         // along a line across the mouth
+constexpr double band_from = 0.06, band_to = 0.2;                   // of it, from each end: surely lip
+constexpr double edge = 0.1;                                        // of it, at each end: never the mouth's hollow
+constexpr double strip = 0.05;                                      // half width of what is averaged, of the mouth's
+constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};  // of a lip's colour: light, grain, a film's coding
+constexpr double most_unlike = 8;                                   // a reflex on a tooth is not more than a tooth
+constexpr double most_like = 0.3;  // what is like a lip hardly counts: the tongue is, between teeth and lower lip
+
+using Colour = std::array<double, 3>;
+
+struct Line {
+  const Landmark *upper, *lower;
+};
+
+// Colours from the upper to the lower end, each the mean over a short stretch along the mouth.
+std::vector<Colour> colours_along(const FaceColours& colours, const Line& line, double along_x, double along_y) {
+  std::vector<Colour> out;
+  for (int i = 0; i < samples; ++i) {
+    const double v = (i + 0.5) / samples;
+    const double x = (1 - v) * line.upper->x_px + v * line.lower->x_px;
+    const double y = (1 - v) * line.upper->y_px + v * line.lower->y_px;
+    Colour mean{};
+    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      const Colour one = colours.at(x + t * strip * along_x, y + t * strip * along_y);
+      for (std::size_t c = 0; c < 3; ++c) mean[c] += one[c] / 5;
+    }
+    out.push_back(mean);
+  }
+  return out;
+}
+
+// Mean and deviation of a lip's colours.
+struct LipLook {
+  Colour mean{}, deviation{};
+
+  double unlike(const Colour& colour) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) sum += std::pow((colour[c] - mean[c]) / deviation[c], 2);
+    return std::sqrt(sum);
+  }
+};
+
+LipLook look_of(const std::vector<Colour>& colours, double from, double to) {
+  LipLook look;
+  Colour square{};
+  double count = 0;
+  for (int i = static_cast<int>(from * samples); i < static_cast<int>(to * samples); ++i, ++count)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = colours[static_cast<std::size_t>(i)][c];
+      look.mean[c] += value;
+      square[c] += value * value;
+    }
+  for (std::size_t c = 0; c < 3; ++c) {
+    look.mean[c] /= count;
+    look.deviation[c] =
+        std::hypot(least_deviation[c], std::sqrt(std::max(0.0, square[c] / count - look.mean[c] * look.mean[c])));
+  }
+  return look;
+}
+
+// Luma as a multiple of the lips', so that the light does not count.
+void scale_luma(std::vector<Colour>& colours) {
+  const double lips =
+      (look_of(colours, band_from, band_to).mean[2] + look_of(colours, 1 - band_to, 1 - band_from).mean[2]) / 2;
+  for (Colour& colour : colours) colour[2] /= std::max(lips, 0.02);
+}
+
+struct Gap {
+  double from = 0, to = 0;  // along the line, 0 to 1
+};
+
+Gap find_gap(std::vector<Colour> colours, double unlike) {
+  scale_luma(colours);
+  const LipLook upper = look_of(colours, band_from, band_to), lower = look_of(colours, 1 - band_to, 1 - band_from);
+  std::vector<double> excess;
+  for (int i = 0; i < samples; ++i) {
+    const Colour& colour = colours[static_cast<std::size_t>(i)];
+    const double value = std::min({upper.unlike(colour), lower.unlike(colour), most_unlike}) - unlike;
+    const double v = (i + 0.5) / samples;
+    excess.push_back(v < edge || v > 1 - edge ? -most_unlike : std::max(value, -most_like));
+  }
+  double best = 0, sum = 0;
+  int begin = 0, best_begin = -1, best_end = -1;
+  for (int i = 0; i < samples; ++i) {
+    if (sum <= 0) sum = 0, begin = i;
+    sum += excess[static_cast<std::size_t>(i)];
+    if (sum > best) best = sum, best_begin = begin, best_end = i;
+  }
+  if (best_begin < 0) {
+    int darkest = samples / 2;
+    for (int i = static_cast<int>(band_to * samples); i < static_cast<int>((1 - band_to) * samples); ++i)
+      if (colours[static_cast<std::size_t>(i)][2] < colours[static_cast<std::size_t>(darkest)][2]) darkest = i;
+    const double v = (darkest + 0.5) / samples;
+    return {v, v};
+  }
+  // Between the samples on either side of an end, where the excess is 0.
+  const auto crossing = [&](int in, int out) {
+    if (out < 0 || out >= samples) return (in + 0.5) / samples;
+    const double a = excess[static_cast<std::size_t>(in)], b = excess[static_cast<std::size_t>(out)];
+    const double t = a > b ? std::clamp(a / (a - b), 0.0, 1.0) : 0.0;
+    return (in + 0.5 + t * (out - in)) / samples;
+  };
+  return {crossing(best_begin, best_begin - 1), crossing(best_end, best_end + 1)};
+}
+
+const Landmark& point_of(const Landmarks& landmarks, const std::string& name) {
+  for (const Landmark& point : landmarks.points)
+    if (point.name == name) return point;
+  throw std::invalid_argument("there is no landmark " + name + ": the lips' points are lip_0 to lip_11");
+}
+
+}  // namespace
+
+Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const InnerLipsOptions& options) {
+  check_image(image, "the image");
+  for (const Landmark& point : landmarks.points)
+    check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
+  const Landmark &right = point_of(landmarks, "lip_0"), &left = point_of(landmarks, "lip_6");
+  const double along_x = left.x_px - right.x_px, along_y = left.y_px - right.y_px;
+  std::vector<Line> lines;
+  Box box;
+  for (int i = 1; i <= 3; ++i) {
+    const Line line{&point_of(landmarks, "lip_" + std::to_string(i + 1)),
+                    &point_of(landmarks, "lip_" + std::to_string(11 - i))};
+    for (const Landmark* end : {line.upper, line.lower}) box.include(end->x_px, end->y_px);
+    lines.push_back(line);
+  }
+  const FaceColours colours(image, box, std::hypot(along_x, along_y) * strip + 2);
+  Landmarks out = landmarks;
+  std::vector<Landmark> below;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    const Gap gap = find_gap(colours_along(colours, line, along_x, along_y), options.unlike);
+    const auto at = [&](double v, std::size_t number) {
+      return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
+                      (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};
+    };
+    out.points.push_back(at(gap.from, i + 1));
+    below.push_back(at(gap.to, 7 - i));
+  }
+  out.points.insert(out.points.end(), below.begin(), below.end());
+  return out;
+}
+
+}  // namespace face::track

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
+
+namespace face::track {
+
+struct InnerLipsOptions {
+  double unlike = 2.5;  // deviations from the colours of the lips from which on it is no lip
+};
+
+// Where the lips part: the outer edge of a mouth says little of whether it is open. Of each of three lines across the
+// mouth, from a point of the outer upper lip to the one below it (lip_2 to lip_10, lip_3 to lip_9, lip_4 to lip_8), the
+// stretch that is least like the lips on either side of it in colour and brightness, which are those of the line's two
+// ends (the maximum-sum interval of what exceeds `unlike`; Bentley, Programming Pearls, CACM 1984): teeth, tongue in
+// the shade or the hollow of the mouth. Where there is none, the darkest place. The seam of shut lips is dark and as
+// wide as the picture is blurred: compare with what is found on the shut mouth. The result has the points of
+// `landmarks` and after them inner_lip_1 to inner_lip_3 (upper) and inner_lip_7, _6, _5 below them; not valid where an
+// outer point of their line is not. Throws where one of the six outer points is missing, or an inner one is there.
+Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const InnerLipsOptions& options = {});
+
+}  // namespace face::track

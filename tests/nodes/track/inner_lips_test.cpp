@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/inner_lips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/nodes/track/grid_clip.h"
+#include "tests/nodes/track/phantom_clip.h"
+#include "tests/support/data.h"
+#include "tests/support/expect_throw_text.h"
+
+using namespace face;
+
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+constexpr Colour skin{200, 150, 120}, upper_lip{150, 75, 70}, lower_lip{180, 95, 90}, hollow{40, 15, 12},
+    tooth{215, 205, 175};
+
+// A mouth from (20, 40) to (100, 40), each lip an ellipse's half of height 16, parted by a gap of a straight edge above
+// and below the middle, in pixels.
+struct Mouth {
+  double above = 0, below = 0;
+  Colour inside = hollow;
+  Image image() const {
+    Image image{120, 80, 3, {}};
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const double u = (x - 60) / 40.0, height = (16 + std::max(above, below)) * std::sqrt(std::max(0.0, 1 - u * u));
+        const double v = y - 40;
+        Colour colour = skin;
+        if (std::abs(v) < height) colour = v < 0 ? upper_lip : lower_lip;
+        if (std::abs(v) < height && v > -above && v < below) colour = inside;
+        image.pixels.insert(image.pixels.end(), colour.begin(), colour.end());
+      }
+    return image;
+  }
+  Landmarks outer() const {
+    Landmarks out;
+    for (int i = 0; i < 12; ++i) {
+      const double angle = i * std::acos(-1.0) / 6;
+      out.points.push_back({"lip_" + std::to_string(i), 60 - 40 * std::cos(angle),
+                            40 - (16 + std::max(above, below)) * std::sin(angle), true});
+    }
+    return out;
+  }
+};
+
+double gap_px(const Landmarks& points, int column) {
+  return test::point_of(points, "inner_lip_" + std::to_string(8 - column)).y_px -
+         test::point_of(points, "inner_lip_" + std::to_string(column)).y_px;
+}
+
+}  // namespace
+
+TEST(InnerLips, AHollowIsFoundWhereItBeginsAndEnds) {
+  const Mouth mouth{5, 9};
+  const Landmarks found = track::inner_lips(mouth.image(), mouth.outer());
+  ASSERT_EQ(found.points.size(), 18u);
+  for (int column = 1; column <= 3; ++column) {
+    EXPECT_NEAR(test::point_of(found, "inner_lip_" + std::to_string(column)).y_px, 35, 1) << column;
+    EXPECT_NEAR(test::point_of(found, "inner_lip_" + std::to_string(8 - column)).y_px, 48.5, 1) << column;
+  }
+}
+
+TEST(InnerLips, TeethAreNoLips) {
+  const Mouth mouth{6, 4, tooth};
+  const Landmarks found = track::inner_lips(mouth.image(), mouth.outer());
+  EXPECT_NEAR(gap_px(found, 2), 10, 1.5);
+}
+
+TEST(InnerLips, ShutLipsHaveNoGap) {
+  const Mouth mouth;
+  const Landmarks found = track::inner_lips(mouth.image(), mouth.outer());
+  for (int column = 1; column <= 3; ++column) EXPECT_NEAR(gap_px(found, column), 0, 0.5) << column;
+}
+
+TEST(InnerLips, LightThatIsHalfAsBrightChangesLittle) {
+  const Mouth mouth{5, 9};
+  Image dim = mouth.image();
+  for (std::uint8_t& value : dim.pixels) value = static_cast<std::uint8_t>(value * 6 / 10);
+  EXPECT_NEAR(gap_px(track::inner_lips(dim, mouth.outer()), 2),
+              gap_px(track::inner_lips(mouth.image(), mouth.outer()), 2), 1);
+}
+
+TEST(InnerLips, APointIsLostWithThoseOfItsLine) {
+  const Mouth mouth{5, 9};
+  Landmarks outer = mouth.outer();
+  outer.points[3].valid = false;
+  const Landmarks found = track::inner_lips(mouth.image(), outer);
+  EXPECT_FALSE(test::point_of(found, "inner_lip_2").valid);
+  EXPECT_FALSE(test::point_of(found, "inner_lip_6").valid);
+  EXPECT_TRUE(test::point_of(found, "inner_lip_1").valid);
+}
+
+TEST(InnerLips, PointsOutsideThePictureAreNoMisfortune) {
+  const Mouth mouth{5, 9};
+  Landmarks outer = mouth.outer();
+  for (Landmark& point : outer.points) point.x_px += 500;
+  EXPECT_EQ(track::inner_lips(mouth.image(), outer).points.size(), 18u);
+}
+
+TEST(InnerLips, WantTheLipsOfTheLayout) {
+  const Mouth mouth;
+  Landmarks outer = mouth.outer();
+  outer.points.erase(outer.points.begin() + 3);
+  EXPECT_THROW_TEXT(track::inner_lips(mouth.image(), outer),
+                    "there is no landmark lip_3: the lips' points are lip_0 to lip_11");
+  outer = track::inner_lips(mouth.image(), mouth.outer());
+  EXPECT_THROW_TEXT(track::inner_lips(mouth.image(), outer), "there is a landmark inner_lip_1 already");
+}
+
+// What opens between the phantom's lips, from the true outer points.
+TEST(InnerLips, FollowThePhantomsMouth) {
+  const test::PhantomClip clip = test::film_phantom("Bob may move five warm loaves.", 60, test::Dots::none);
+  std::vector<double> found, truth;
+  for (std::size_t i = 0; i < clip.frames.size(); i += 2) {
+    found.push_back(gap_px(track::inner_lips(*clip.frames[i], clip.truth[i]), 2));
+    truth.push_back(clip.inner_gap_px[i]);
+  }
+  double sum_f = 0, sum_t = 0, ff = 0, tt = 0, ft = 0;
+  const auto n = static_cast<double>(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    sum_f += found[i], sum_t += truth[i];
+    ff += found[i] * found[i], tt += truth[i] * truth[i], ft += found[i] * truth[i];
+  }
+  const double correlation = (ft - sum_f * sum_t / n) / std::sqrt((ff - sum_f * sum_f / n) * (tt - sum_t * sum_t / n));
+  std::printf("r %.3f, %.2f px wide on average, truth %.2f\n", correlation, sum_f / n, sum_t / n);
+  EXPECT_GE(correlation, 0.97);
+}
+
+// The end of each clip: the sentence is over and the mouth shut.
+TEST(InnerLips, OfRealMouthsAreTogetherAfterTheSentence) {
+  DATA_FILE(data, "grid");
+  for (const char* clip : test::grid_clips) {
+    const auto frames = test::read_frames(data + "/" + clip + ".mpg");
+    const auto start = decode::read_landmarks(engine::File::at(data + "/" + clip + ".landmarks.json")).landmarks;
+    const auto tracked = test::track_frames(frames, start);
+    double widest = 0, shut = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const double gap = gap_px(track::inner_lips(*frames[i], tracked[i].landmarks), 2);
+      widest = std::max(widest, gap);
+      if (i + 5 >= frames.size()) shut = std::max(shut, gap);
+    }
+    EXPECT_LE(shut, 2.5) << clip;
+    EXPECT_GE(widest, 5) << clip;
+  }
+}
