@@ -14,6 +14,10 @@ extern "C" {
 namespace face::decode {
 namespace {
 
+// The next pictures are decoded while one is converted. A number of the machine's could change what is made of a damaged
+// stream.
+constexpr int decoding_threads = 2;
+
 std::string list_streams(const AVFormatContext& format) {
   std::string out;
   for (unsigned i = 0; i < format.nb_streams; ++i) {
@@ -57,7 +61,8 @@ AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_
     codec_ = avcodec_alloc_context3(decoder);
     check(codec_ != nullptr, title_, ": no memory for its decoder");
     code = avcodec_parameters_to_context(codec_, stream_->codecpar);
-    codec_->thread_count = 1;
+    codec_->thread_count = decoding_threads;
+    codec_->thread_type = FF_THREAD_FRAME;
     codec_->flags |= AV_CODEC_FLAG_BITEXACT;
     codec_->pkt_timebase = stream_->time_base;
     if (code >= 0) code = avcodec_open2(codec_, decoder, nullptr);
