@@ -42,8 +42,8 @@ cli::CommandTree tree_of(const CLI::App& app) {
 
 int main(int count, char** words) {
   // Large values come and go: their memory shall go back to the system.
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  ::mallopt(M_TRIM_THRESHOLD, 16 << 20);
+  ::mallopt(M_MMAP_THRESHOLD, 16 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
 
   CLI::App app{"Facegraph: runs a graph of nodes, and of it only what has changed."};
   app.require_subcommand(1);

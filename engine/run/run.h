@@ -35,7 +35,7 @@ using RunObserver = std::function<void(const RunEvent&)>;
 
 struct RunOptions {
   int threads = 0;                // 0 = as many as the machine has
-  std::int64_t memory_bytes = 0;  // budget for values in memory; 0 = the graph's, else half of the machine's
+  std::int64_t memory_bytes = 0;  // budget for values in memory; 0 = the graph's, else half of what is free
   bool fail_fast = false;
   std::string to;                        // run only what this node needs; the graph's outputs are not published
   std::vector<std::string> elements;     // with `to`: ids and ranges of ids ("0-49", "take03")

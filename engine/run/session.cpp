@@ -5,12 +5,19 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
+#include <string>
 
 namespace engine::run {
 namespace {
 
+// Half of what is free or can be freed at once: others may need the machine's memory, too.
 std::int64_t half_of_memory() {
-  return static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGESIZE) / 2;
+  std::ifstream list("/proc/meminfo");
+  std::string name, unit;
+  for (std::int64_t kilobytes = 0; list >> name >> kilobytes && std::getline(list, unit);)
+    if (name == "MemAvailable:") return kilobytes * 1024 / 2;
+  return static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGESIZE) / 4;
 }
 
 }  // namespace
