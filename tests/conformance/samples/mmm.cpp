@@ -32,6 +32,12 @@ Sample spoken_timeline(engine::Plugins& plugins, int variant) {
   return held(timeline);
 }
 
+// Of as many phones as the labels have; variants are heard elsewhere.
+Sample phone_distances(engine::Plugins& plugins, int variant) {
+  const std::size_t count = value_of<face::Phones>(another("phones", 0), plugins, 0).phones.size();
+  return held(face::Matrix{count, 1, std::vector<double>(count, 0.5 * variant)});
+}
+
 Sample moved_speaker(engine::Plugins& plugins, int variant) { return speaker_points(plugins, variant + 3); }
 
 const Maker mouth_picture = changed<face::Image>(another("image", 2), [](face::Image& image, int) {
@@ -65,6 +71,7 @@ const Registered mmm({
             {"mmm.refine_speaker.weights", few_weights},
             {"mmm.refine_speaker.timeline", spread_timeline},
             {"mmm.check_labels.timeline", spoken_timeline},
+            {"mmm.check_labels.apart_s", phone_distances},
         },
     .types = {{"mmm", made_by("mmm.build", "model")}},
     .params = {{"mmm.paste.left_px", whole(10)},
@@ -72,7 +79,8 @@ const Registered mmm({
                {"mmm.paste.feather_px", 4.0},
                {"mmm.crop.width_px", whole(32)},
                {"mmm.crop.height_px", whole(24)}},
-    .only_refuses = {{"mmm.check_labels.timeline", "labels that do not end with it are refused, others given back"}},
+    .only_refuses = {{"mmm.check_labels.timeline", "labels that do not end with it are refused, others given back"},
+                     {"mmm.check_labels.apart_s", "labels that are heard elsewhere are refused, others given back"}},
 });
 
 }  // namespace

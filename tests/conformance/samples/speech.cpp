@@ -35,12 +35,16 @@ const Registered speech({
             {"speech.say.dictionary", installed(pocketsphinx + "cmudict-en-us.dict")},
             {"speech.align.phone_model", installed(pocketsphinx + "en-us-phone.lm.bin")},
             {"speech.align.audio", made_by("speech.say", "audio")},
+            {"speech.fit_phones.acoustic_model", installed(pocketsphinx + "en-us")},
+            {"speech.fit_phones.audio", made_by("speech.say", "audio")},
+            {"speech.fit_phones.phones", made_by("speech.say", "phones")},
         },
     .values = {{"speech.say.voice", {text("kal")}}},
     .shown_elsewhere =
         {
             {"speech.align.acoustic_model", one_installed},
             {"speech.align.dictionary", one_installed},
+            {"speech.fit_phones.acoustic_model", one_installed},
             {"speech.say.dictionary", "it changes warnings alone; tests/nodes/speech compares them"},
         },
 });

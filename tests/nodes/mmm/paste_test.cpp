@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "nodes/mmm/check_labels.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace face::mmm {
@@ -41,27 +40,6 @@ TEST(Paste, ShowsTheHeadsForthAndBack) {
 TEST(Paste, RejectsAMouthThatIsNotWithinTheHead) {
   EXPECT_THROW_TEXT(paste_mouth(plain(8, 8, 0), plain(4, 4, 0), {6, 0, 1, 60}),
                     "the mouth of 4 x 4 pixels at 6, 0 does not lie within the head of 8 x 8");
-}
-
-Phones labels() { return {{{"SIL", 0, 0.4, "", 0}, {"AE", 0.4, 0.9, "bad", 0}, {"SIL", 0.9, 1.5, "", 0}}, 1.5, true}; }
-
-TEST(CheckLabels, LetsThoseOfTheVideoPass) {
-  EXPECT_EQ(check_labels(labels(), Timeline{{0, 0.5, 1.0}, 1.45}).phones.size(), 3u);
-}
-
-TEST(CheckLabels, NamesTheFirstPhoneThatDoesNotFit) {
-  EXPECT_THROW_TEXT(check_labels(labels(), Timeline{{0}, 0.7}),
-                    "labels do not match the video: phone 1 (AE of \"bad\") is from 0.4 s to 0.9 s, the video ends at "
-                    "0.7 s");
-  EXPECT_THROW_TEXT(check_labels(labels(), Timeline{{0}, 3}),
-                    "labels do not match the video: the last phone (SIL) ends at 1.5 s, the video ends at 3 s");
-  Phones gap = labels();
-  gap.phones[2].start_s = 1.2;
-  EXPECT_THROW_TEXT(check_labels(gap, Timeline{{0}, 1.5}),
-                    "labels do not match the video: phone 2 (SIL) is from 1.2 s to 1.5 s, the one before it ends at "
-                    "0.9 s");
-  EXPECT_THROW_TEXT(check_labels(Phones{}, Timeline{{0}, 1.5}),
-                    "labels do not match the video: there are none, the video lasts 1.5 s");
 }
 
 }  // namespace
