@@ -276,7 +276,7 @@ void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig
 
 }  // namespace
 
-Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit) {
+Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit, bool speaks) {
   const engine::File main = gltf_main_file(file);
   const std::string title = title_of(main);
   const tinygltf::Model model = load_gltf(file, main);
@@ -310,7 +310,7 @@ Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit 
   }
   ShapeCollector shapes(names);
   for (std::size_t s = 0; s < raw.shape_names.size(); ++s) shapes.add(raw.shape_names[s], in_mm(raw.shape_offsets[s]));
-  shapes.finish(title, rig);
+  shapes.finish(title, rig, speaks);
   if (raw.notes) read_notes(*raw.notes, title, rig);
   find_mouth_marks(rig);
   return rig;

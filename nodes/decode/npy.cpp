@@ -123,9 +123,10 @@ struct Type {
   std::size_t size;
   double (*read)(const char*);
 };
-constexpr Type types[] = {{"<f8", 8, &number_at<double>},       {"<f4", 4, &number_at<float>},
-                          {"<i8", 8, &number_at<std::int64_t>}, {"<i4", 4, &number_at<std::int32_t>},
-                          {"|u1", 1, &number_at<std::uint8_t>}, {"|b1", 1, &number_at<std::uint8_t>}};
+constexpr Type types[] = {{"<f8", 8, &number_at<double>},        {"<f4", 4, &number_at<float>},
+                          {"<i8", 8, &number_at<std::int64_t>},  {"<i4", 4, &number_at<std::int32_t>},
+                          {"<u4", 4, &number_at<std::uint32_t>}, {"|u1", 1, &number_at<std::uint8_t>},
+                          {"|b1", 1, &number_at<std::uint8_t>}};
 
 }  // namespace
 
@@ -149,7 +150,7 @@ Matrix npy(const engine::File& file) {
     if (header.type == known.name) type = &known;
   if (type == nullptr)
     fail(title, ": found numbers of type '", header.type,
-         "', expected '<f8', '<f4', '<i8', '<i4', '|u1' or '|b1' (little endian; numpy.save(file, "
+         "', expected '<f8', '<f4', '<i8', '<i4', '<u4', '|u1' or '|b1' (little endian; numpy.save(file, "
          "array.astype('<f8')) makes one)");
 
   std::size_t count = 1;

@@ -133,7 +133,7 @@ void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offset
     *same = sum(*same, shape);
 }
 
-void ShapeCollector::finish(const std::string& title, Rig& rig) const {
+void ShapeCollector::finish(const std::string& title, Rig& rig, bool speaks) const {
   for (const auto& [name, arkit] : names_.to_arkit)
     if (!seen_.contains(name))
       fail(names_.title, " at /", name, ": ", title, " has no such shape. Found ",
@@ -142,7 +142,7 @@ void ShapeCollector::finish(const std::string& title, Rig& rig) const {
   for (const Shape& shape : shapes_) found.push_back(shape.name);
   for (const std::string_view needed : needed_shapes)
     if (std::find(found.begin(), found.end(), needed) == found.end()) lacking.emplace_back(needed);
-  if (!lacking.empty())
+  if (speaks && !lacking.empty())
     fail(title, ": lacks the shapes ", joined(lacking), "; a rig needs ", joined(needed_shapes), ". Found ",
          found.empty() ? "no shapes" : joined(found));
 

@@ -41,9 +41,9 @@ class ShapeCollector {
   // offsets_mm: one per vertex. Several of one name are added up.
   void add(std::string_view name, const std::vector<Vec3f>& offsets_mm);
 
-  // Fills rig.shapes and rig.missing. Throws where a needed shape is absent, or a name to be mapped was not seen;
-  // `title` names the file.
-  void finish(const std::string& title, Rig& rig) const;
+  // Fills rig.shapes and rig.missing. Throws where a shape that a speaking rig needs is absent, or a name to be mapped
+  // was not seen; `title` names the file.
+  void finish(const std::string& title, Rig& rig, bool speaks = true) const;
 
  private:
   ShapeNames names_;

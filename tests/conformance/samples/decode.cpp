@@ -5,6 +5,7 @@
 
 #include "tests/conformance/samples/shared.h"
 #include "tests/support/depth_pictures.h"
+#include "tests/support/model_files.h"
 #include "tests/support/samples.h"
 
 namespace conformance {
@@ -57,6 +58,30 @@ Sample modes(engine::Plugins&, int variant) {
           "file"};
 }
 
+// A triangle of the size of a head that eos saved, without expressions.
+Sample eos_model(engine::Plugins&, int variant) {
+  const float top = 200.0f + static_cast<float>(variant);
+  return {test::sample_file(
+              "model" + std::to_string(variant) + ".bin",
+              test::raw(std::uint32_t{1}) +
+                  test::eos_pca({-80, 0, 0, 80, 0, 0, 0, top, 10}, {1, 0, 0, 0, 0, 0, 0, 0, 0}, {4}, {0, 1, 2}) +
+                  test::eos_pca({}, {}, {}, {}) + test::raw(std::uint64_t{0})),
+          "file"};
+}
+
+Sample eos_expressions(engine::Plugins&, int variant) {
+  return {test::sample_file(
+              "expressions" + std::to_string(variant) + ".bin",
+              test::eos_blend_shapes({{"open", {0, 0, 0, 0, 0, 0, 0, 1.0f + static_cast<float>(variant), 0}}})),
+          "file"};
+}
+
+std::string sixty_eight(int first) {
+  std::string list = "[" + std::to_string(first);
+  for (int i = 1; i < 68; ++i) list += ", " + std::to_string(i % 3);
+  return list + "]";
+}
+
 const Registered decode({
     .inputs =
         {
@@ -73,6 +98,9 @@ const Registered decode({
             {"decode.rig.names",
              text_file(".json", {R"({"jawOpen": "jawOpen"})", R"({"jawOpen": "jawLeft", "jawLeft": "jawOpen"})"})},
             {"decode.identity_modes.folder", modes},
+            {"decode.model.file", eos_model},
+            {"decode.model.expressions", eos_expressions},
+            {"decode.model.landmarks", text_file(".json", {sixty_eight(0), sixty_eight(1)})},
             {"decode.list_takes.folder", takes},
             {"decode.depth_take.folder", takes},
             {"decode.depth_take.take",
@@ -92,6 +120,7 @@ const Registered decode({
                {"decode.depth_take.most_width_mm", {100.0}},
                {"decode.depth_take.face_change_mm", {10.0}},
                {"decode.depth_take.least_face", {0.9}}},
+    .shown_elsewhere = {{"decode.model.identities", "counts for an .npz, the sample is a .bin (ReadModel tests)"}},
 });
 
 }  // namespace

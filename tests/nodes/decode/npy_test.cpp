@@ -46,6 +46,7 @@ TEST(Npy, ReadsEveryTypeOfNumber) {
   expect_matrix(read(array("<f4", "(2, 3)", numbers<float>({0, 1, 2, 3, 4, 250}))), 2, 3, values);
   expect_matrix(read(array("<i8", "(2, 3)", numbers<std::int64_t>({0, 1, 2, 3, 4, 250}))), 2, 3, values);
   expect_matrix(read(array("<i4", "(2, 3)", numbers<std::int32_t>({0, 1, 2, 3, 4, 250}))), 2, 3, values);
+  expect_matrix(read(array("<u4", "(2, 3)", numbers<std::uint32_t>({0, 1, 2, 3, 4, 250}))), 2, 3, values);
   expect_matrix(read(array("|u1", "(2, 3)", numbers<std::uint8_t>({0, 1, 2, 3, 4, 250}))), 2, 3, values);
   expect_matrix(read(array("|b1", "(1, 2)", numbers<std::uint8_t>({0, 1}))), 1, 2, {0, 1});
   expect_matrix(read(array("<i4", "(1, 2)", numbers<std::int32_t>({-5, -2147483647}))), 1, 2, {-5, -2147483647});
@@ -82,7 +83,7 @@ TEST(Npy, RejectsWhatIsNoArray) {
 TEST(Npy, RejectsOtherTypesOfNumber) {
   EXPECT_THROW_TEXT(
       read(array(">f8", "(1,)", numbers<double>({1}))),
-      "the data: found numbers of type '>f8', expected '<f8', '<f4', '<i8', '<i4', '|u1' or '|b1' (little "
+      "the data: found numbers of type '>f8', expected '<f8', '<f4', '<i8', '<i4', '<u4', '|u1' or '|b1' (little "
       "endian; numpy.save(file, array.astype('<f8')) makes one)");
   EXPECT_THROW_TEXT(read(array("<i8", "(1,)", numbers<std::int64_t>({(1ll << 60) + 1}))),
                     "the data: found 1.15292e+18 as number 0, expected at most 2^53 in size");
