@@ -114,6 +114,22 @@ LinearSpace expression_space(const Rig& rig, const FromRigOptions& options) {
 
 }  // namespace
 
+void add_made_skins(const Rig& rig, const FromRigOptions& options, MorphableModel& model) {
+  model.mean_albedo = vertex_albedo(rig.neutral);
+  const auto albedos = static_cast<std::size_t>(options.albedos);
+  if (options.skins > 1 && rig.landmarks68.size() == 68) {
+    SkinSpace skins = learn_skins(rig, static_cast<std::size_t>(options.skins), albedos * 2 / 3, options.seed + 10000);
+    model.mean_albedo = std::move(skins.mean);
+    model.albedo = std::move(skins.modes);
+    const LinearSpace waves = skin_modes(rig.neutral, model.mean_albedo, {}, albedos - model.albedo.size());
+    model.albedo.names.insert(model.albedo.names.end(), waves.names.begin(), waves.names.end());
+    model.albedo.sigmas.insert(model.albedo.sigmas.end(), waves.sigmas.begin(), waves.sigmas.end());
+    model.albedo.modes.insert(model.albedo.modes.end(), waves.modes.begin(), waves.modes.end());
+  } else {
+    model.albedo = skin_modes(rig.neutral, model.mean_albedo, rig.landmarks68, albedos);
+  }
+}
+
 MorphableModel from_rig(const Rig& rig, const ShapeSet* identities, const FromRigOptions& options) {
   check(!rig.neutral.points_mm.empty(), "the rig has no vertices");
   check(options.samples >= 1, "samples is ", options.samples, ", expected at least 1");
@@ -133,19 +149,7 @@ MorphableModel from_rig(const Rig& rig, const ShapeSet* identities, const FromRi
       model.identity.modes.insert(model.identity.modes.end(), mode.begin(), mode.end());
     }
   model.expression = expression_space(rig, options);
-  model.mean_albedo = vertex_albedo(rig.neutral);
-  const auto albedos = static_cast<std::size_t>(options.albedos);
-  if (options.skins > 1 && rig.landmarks68.size() == 68) {
-    SkinSpace skins = learn_skins(rig, static_cast<std::size_t>(options.skins), albedos * 2 / 3, options.seed + 10000);
-    model.mean_albedo = std::move(skins.mean);
-    model.albedo = std::move(skins.modes);
-    const LinearSpace waves = skin_modes(rig.neutral, model.mean_albedo, {}, albedos - model.albedo.size());
-    model.albedo.names.insert(model.albedo.names.end(), waves.names.begin(), waves.names.end());
-    model.albedo.sigmas.insert(model.albedo.sigmas.end(), waves.sigmas.begin(), waves.sigmas.end());
-    model.albedo.modes.insert(model.albedo.modes.end(), waves.modes.begin(), waves.modes.end());
-  } else {
-    model.albedo = skin_modes(rig.neutral, model.mean_albedo, rig.landmarks68, albedos);
-  }
+  add_made_skins(rig, options, model);
   model.landmarks68 = rig.landmarks68;
   model.inner_lips = rig.inner_lips;
   return model;

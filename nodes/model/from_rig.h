@@ -27,4 +27,7 @@ struct FromRigOptions {
 // from 35 scans of one person and neutral scans of 200.)
 MorphableModel from_rig(const Rig& rig, const ShapeSet* identities, const FromRigOptions& options = {});
 
+// The albedo of such a model: its mean and components, of the rig's polygons, colours and landmarks alone.
+void add_made_skins(const Rig& rig, const FromRigOptions& options, MorphableModel& model);
+
 }  // namespace face::model

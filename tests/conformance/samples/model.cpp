@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/types/landmarks.h"
+#include "nodes/types/morphable_model.h"
 #include "nodes/types/rig.h"
 #include "nodes/types/weights.h"
 #include "tests/conformance/samples/shared.h"
@@ -17,9 +18,18 @@ const Maker larger_rig = changed<face::Rig>(another("rig", 0), [](face::Rig& rig
   for (int s = 0; s < variant; ++s) rig.shapes.push_back({"own_" + std::to_string(s), {}, {}});
 });
 
+// Of shapes alone, larger from variant to variant.
+const Maker bare_model =
+    changed<face::MorphableModel>(made_by("model.from_rig", "model"), [](face::MorphableModel& model, int variant) {
+      model.mean_albedo.clear();
+      model.albedo = {};
+      for (face::Vec3f& point : model.mean.points_mm) point[0] *= 1 + 0.1f * static_cast<float>(variant);
+    });
+
 const Registered model({
     .inputs =
         {
+            {"model.add_albedo.model", bare_model},
             {"model.region_pca.weights", matrices(525, 1)},
             {"model.fit_landmarks.landmarks", inner_points},
             {"model.fit_landmarks.picture", sized_picture},
