@@ -63,8 +63,8 @@ double likeness(const std::vector<std::string>& a, const std::vector<std::string
   return all.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(all.size());
 }
 
-// Names of the file's shapes, each once, in its order.
-std::vector<std::string> shape_names(const engine::File& file) {
+// Names of the file's shapes, each once, in its order. textures: how many pictures it has.
+std::vector<std::string> shape_names(const engine::File& file, std::size_t& textures) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -79,6 +79,7 @@ std::vector<std::string> shape_names(const engine::File& file) {
     return names;
   }
   const tinygltf::Model model = load_gltf(file, gltf_main_file(file));
+  textures = model.images.size();
   for (const tinygltf::Mesh& mesh : model.meshes)
     for (const tinygltf::Primitive& primitive : mesh.primitives)
       for (std::size_t t = 0; t < primitive.targets.size(); ++t) add(gltf_target_name(model, mesh, primitive, t));
@@ -89,6 +90,26 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+// How the head stands, by what its jaw does: a head that lies, or looks away, is shown so by every camera.
+std::string about_pose(const Rig& rig) {
+  const Shape& jaw = rig.shapes[arkit_index("jawOpen")];
+  Vec3f way = {0, 0, 0};
+  double front = 0, middle = 0;
+  for (std::size_t i = 0; i < jaw.vertices.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) way[c] += jaw.offsets_mm[i][c];
+    front += static_cast<double>(rig.neutral.points_mm[jaw.vertices[i]][2]) / static_cast<double>(jaw.vertices.size());
+  }
+  for (const Vec3f& p : rig.neutral.points_mm)
+    middle += static_cast<double>(p[2]) / static_cast<double>(rig.neutral.points_mm.size());
+  const float length = std::hypot(way[0], way[1], way[2]);
+  if (length > 0 && -way[1] < 0.5f * length)
+    return "jawOpen does not move the jaw down: is y up in the file? Turn the head there, so that it stands and looks "
+           "to +z\n";
+  if (length > 0 && front < middle - 10)
+    return "what jawOpen moves lies behind the middle of the head: does it look to -z? Turn it round in the file\n";
+  return "";
 }
 
 std::string about(const Rig& rig) {
@@ -104,7 +125,7 @@ std::string about(const Rig& rig) {
   text += rig.upper_teeth.empty()
               ? "no upper teeth were found: name a mesh or a material \"teeth\" where there are some\n"
               : "upper teeth were found\n";
-  return text;
+  return text + about_pose(rig);
 }
 
 }  // namespace
@@ -147,10 +168,11 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     return result;
   };
   std::vector<std::string> found;
+  std::size_t textures = 0;
   ShapeNames given;
   try {
     if (names) given = read_shape_names(*names);
-    found = shape_names(file);
+    found = shape_names(file, textures);
   } catch (const Error& error) {
     result.text = std::string(error.what()) + "\n";
     return finish();
@@ -187,9 +209,11 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     result.text += message(strange.size(), strange.size() == 1 ? " name is" : " names are",
                            " none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
                            " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
-                           "names=names.json\n");
+                           "--set names=names.json\n");
   try {
     result.text += about(read_rig(file, names));
+    if (textures > 0)
+      result.text += "its textures are not taken over: results have the colours of its materials and vertices\n";
     result.sound = true;
     result.text += "it can be used as it is\n";
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "nodes/decode/read_rig.h"
@@ -57,6 +58,47 @@ TEST(CheckRig, ProposesNamesAndTheProposalServes) {
   EXPECT_NE(second.text.find("it can be used as it is\n"), std::string::npos);
   EXPECT_NE(second.text.find("100 mm wide, 200 mm high"), std::string::npos) << second.text;
   EXPECT_EQ(read_rig(folder, &filled).shapes[arkit_index("jawOpen")].vertices.size(), 1u);
+}
+
+TEST(CheckRig, SaysWhereAHeadDoesNotStandAndLookToTheViewer) {
+  const test::Temporary temporary;
+  // A chin of three vertices before the back of the head, and where jawOpen takes it.
+  const auto text = [&](const std::string& folder, const std::string& chin_z, const std::string& jaw) {
+    std::vector<engine::File::Entry> entries;
+    const auto add = [&](const std::string& name, const std::string& chin) {
+      entries.push_back({name + ".obj", temporary.write(folder + "/" + name + ".obj",
+                                                        chin + "v 0 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3\nf 1 4 5 6\n")});
+    };
+    const auto chin = [&](const std::string& y, const std::string& z) {
+      return "v 0 " + y + " " + z + "\nv 2 " + y + " " + z + "\nv 1 " + y + " " + z + "\n";
+    };
+    for (const char* name : {"mouthClose", "mouthFunnel", "mouthPucker", "mouthRollLower", "mouthRollUpper", "neutral"})
+      add(name, chin("0", chin_z));
+    add("jawOpen", jaw == "down" ? chin("-1", chin_z) : chin("0", "9"));
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return check_rig(engine::File::folder(temporary.path(folder), entries), nullptr).text;
+  };
+  EXPECT_EQ(text("right", "10", "down").find("Turn"), std::string::npos) << text("right", "10", "down");
+  EXPECT_NE(text("lying", "10", "back").find("jawOpen does not move the jaw down: is y up in the file?"),
+            std::string::npos);
+  EXPECT_NE(text("away", "-10", "down").find("does it look to -z? Turn it round in the file\n"), std::string::npos);
+}
+
+TEST(CheckRig, SaysThatTexturesAreNotTakenOver) {
+  const test::Temporary temporary;
+  const std::string head = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "images":[{"uri":"skin.png"}],"meshes":[{"extras":{"targetNames":["jawOpen","mouthClose","mouthFunnel","mouthPucker",
+    "mouthRollLower","mouthRollUpper"]},"primitives":[{"attributes":{"POSITION":0},"targets":[{"POSITION":0},
+    {"POSITION":0},{"POSITION":0},{"POSITION":0},{"POSITION":0},{"POSITION":0}]}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+    "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  const CheckRigResult result = check_rig(engine::File::at(temporary.write("head.gltf", head)), nullptr);
+  EXPECT_TRUE(result.sound) << result.text;
+  EXPECT_NE(result.text.find("its textures are not taken over: results have the colours of its materials and "
+                             "vertices\n"),
+            std::string::npos)
+      << result.text;
 }
 
 TEST(CheckRig, SaysWhatIsNoRig) {
