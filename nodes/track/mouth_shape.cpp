@@ -68,7 +68,6 @@ std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::
   add(0.04 * width, [&](double u, int upper) { return Vector2((upper > 0 ? u * hump(u) : 0.0) * down); });
   add(0.06 * width, [&](double u, int) { return Vector2(u * u * right); });
   if (jaw_line.empty()) return modes;
-  constexpr std::size_t lower_lip = 4;  // of the modes above
   const auto move_jaw = [&](std::vector<double>& mode, auto&& offset) {
     for (std::size_t k = 0; k < jaw_line.size(); ++k) {
       const double u = jaw_line.size() > 1 ? 2.0 * static_cast<double>(k) / (jaw_line.size() - 1.0) - 1 : 0;
@@ -77,7 +76,7 @@ std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::
       mode[2 * jaw_line[k] + 1] = move.y();
     }
   };
-  move_jaw(modes[lower_lip], [&](double) { return Vector2(0.8 * 0.25 * width * down); });
+  move_jaw(modes[lower_lip_mode], [&](double) { return Vector2(0.8 * 0.25 * width * down); });
   const auto add_jaw = [&](auto&& offset) {
     modes.emplace_back(size, 0.0);
     move_jaw(modes.back(), offset);

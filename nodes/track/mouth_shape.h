@@ -20,6 +20,9 @@ std::vector<std::size_t> find_outline(const Landmarks& start, const std::vector<
 std::vector<std::vector<double>> mouth_modes(const Landmarks& start, const std::vector<std::size_t>& outline,
                                              const std::vector<std::size_t>& jaw_line);
 
+// That of these modes in which the jaw falls.
+inline constexpr std::size_t lower_lip_mode = 4;
+
 // The distance of the corners of the mouth.
 double mouth_width_px(const Landmarks& start, const std::vector<std::size_t>& outline);
 

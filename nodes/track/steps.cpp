@@ -43,20 +43,23 @@ Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
   return points;
 }
 
+// Likeness from which on a point's own patch is seen again. A dot painted on the face is told from skin also where it
+// is stretched, seen from the side or in a shade.
+double seen_again_from(bool is_dot, const TrackKltOptions& options) {
+  constexpr double of_dots = 0.5;
+  return is_dot ? std::min(of_dots, options.min_likeness) : options.min_likeness;
+}
+
 // How far a point goes to its own patch, 0 to 1.
-double anchor_share(double likeness, const TrackKltOptions& options) {
-  return std::clamp((likeness - options.min_likeness) / (1 - options.min_likeness) * 2, 0.0, 1.0);
+double anchor_share(double likeness, bool is_dot, const TrackKltOptions& options) {
+  const double least = seen_again_from(is_dot, options);
+  return std::clamp((likeness - least) / (1 - least) * 2, 0.0, 1.0);
 }
 
-// The part of a point's first patch that it is looked for with.
-std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index) {
-  return middle_of(patch_of(patches, index, 0, known.side_px), known.side_px, known.sides_px[index]);
-}
-
-bool pull_to_patch(const PatchMatch& match, const TrackKltOptions& options, Sighting& place) {
-  if (!match.converged || std::hypot(match.x_px - place.x_px, match.y_px - place.y_px) > options.max_anchor_px)
-    return false;
-  const double share = anchor_share(match.likeness, options);
+bool pull_to_patch(const PatchMatch& match, bool is_dot, const TrackKltOptions& options, Sighting& place) {
+  const double most_px = is_dot ? 2 * options.max_anchor_px : options.max_anchor_px;
+  if (!match.converged || std::hypot(match.x_px - place.x_px, match.y_px - place.y_px) > most_px) return false;
+  const double share = anchor_share(match.likeness, is_dot, options);
   place.x_px += share * (match.x_px - place.x_px);
   place.y_px += share * (match.y_px - place.y_px);
   return true;
@@ -117,6 +120,10 @@ void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, i
           static_cast<std::uint8_t>(std::lround(patch[static_cast<std::size_t>(y * side_px + x)]));
 }
 
+std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index) {
+  return middle_of(patch_of(patches, index, 0, known.side_px), known.side_px, known.sides_px[index]);
+}
+
 Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given)
     : start(start_points),
       options(given),
@@ -135,7 +142,13 @@ Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given
   bonds.depths_px = usual_depths_px(start);
 }
 
-Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points) {
+bool Knowledge::is_dot(std::size_t point) const {
+  const auto marks = std::count_if(outline.begin(), outline.end(), [&](std::size_t i) { return is_mark(i); });
+  return is_mark(point) && 2 * marks >= static_cast<std::ptrdiff_t>(outline.size());
+}
+
+Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points,
+            const std::vector<Sighting>& guesses) {
   std::vector<Sighting> from;
   for (const Landmark& point : points) {
     from.push_back({point.x_px, point.y_px});
@@ -144,7 +157,7 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
   Seen seen;
   seen.likeness.assign(points.size(), 0);
   std::vector<Sighting>& to = seen.sightings;
-  to = flow.forth(from, from, known.sides_px);
+  to = flow.forth(from, guesses, known.sides_px);
   // Points that went elsewhere than their neighbours get another try from where these say that they are.
   constexpr int tries = 3;
   for (int i = 0; i < tries; ++i) {
@@ -164,7 +177,12 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
     const std::vector<Sighting> found = flow.forth(again_from, again_guess, again_sides_px);
     for (std::size_t k = 0; k < again.size(); ++k) to[again[k]] = found[k];
   }
-  const std::vector<Sighting> home = flow.back(to, to, known.sides_px), settled = expect(known, to);
+  std::vector<Sighting> back_guesses = to;
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    back_guesses[k].x_px -= guesses[k].x_px - from[k].x_px;
+    back_guesses[k].y_px -= guesses[k].y_px - from[k].y_px;
+  }
+  const std::vector<Sighting> home = flow.back(to, back_guesses, known.sides_px), settled = expect(known, to);
   for (std::size_t k = 0; k < to.size(); ++k) {
     if (!is_seen(to[k])) continue;
     const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
@@ -185,7 +203,7 @@ void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen&
     Sighting& place = seen.sightings[i];
     if (!is_seen(place)) continue;
     const PatchMatch match = align_patch(own_patch(known, patches, i), known.sides_px[i], now, place.x_px, place.y_px);
-    const bool near = pull_to_patch(match, known.options, place);
+    const bool near = pull_to_patch(match, known.is_dot(i), known.options, place);
     const auto& rigid = known.bonds.rigid;
     if (near) seen.likeness[i] = std::max(0.0, match.likeness);
     if (std::find(rigid.begin(), rigid.end(), i) != rigid.end() &&
@@ -257,15 +275,14 @@ void fit_contours(const Knowledge& known, const Image& frame, const Grey& now, c
   constexpr double follow_error_px = 1, skin_error_px = 2, patch_error_px = 0.2, mark_error_px = 0.1;
   constexpr double least_likeness = 0.3;
   std::vector<Sighting> followed = seen.sightings, unseen = seen.sightings;
-  const auto is_mark = [&](std::size_t i) { return known.sides_px[i] < known.side_px; };
   for (const std::size_t i : known.outline) {
-    const double error_px = is_mark(i) ? mark_error_px : patch_error_px;
-    const double share = anchor_share(seen.likeness[i], known.options);
+    const double error_px = known.is_mark(i) ? mark_error_px : patch_error_px;
+    const double share = anchor_share(seen.likeness[i], known.is_dot(i), known.options);
     limit(1 / std::sqrt(1 / (follow_error_px * follow_error_px) + share / (error_px * error_px)), followed[i]);
     forget(unseen[i]);
   }
   for (const std::size_t i : known.jaw_line)
-    if (!is_mark(i)) limit(skin_error_px, followed[i]);
+    if (!known.is_mark(i)) limit(skin_error_px, followed[i]);
   std::vector<Sighting> settled = settle(known.start, followed, known.bonds);
   if (!known.outline.empty() && std::any_of(seen.sightings.begin(), seen.sightings.end(), is_seen)) {
     const Landmarks rest = places_of(known.start, settle(known.start, unseen, known.bonds));
@@ -277,7 +294,9 @@ void fit_contours(const Knowledge& known, const Image& frame, const Grey& now, c
         for (std::size_t k = 0; k < points.size(); ++k) {
           const std::size_t i = points[k];
           // A dot that is seen knows better.
-          if (is_mark(i) && is_seen(seen.sightings[i]) && anchor_share(seen.likeness[i], known.options) >= 1) continue;
+          if (known.is_mark(i) && is_seen(seen.sightings[i]) &&
+              anchor_share(seen.likeness[i], known.is_dot(i), known.options) >= 1)
+            continue;
           add(edge.sightings[k], both[i]);
           if (round + 1 < rounds) continue;
           if (edge.likeness[k] < least_likeness && !is_seen(seen.sightings[i])) forget(both[i]);
@@ -316,7 +335,8 @@ bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& 
   }
   const std::vector<float> patch = middle_of(patch_of(patches, index, 1, known.side_px), known.side_px, side_px);
   if (is_seen(to)) {
-    pull_to_patch(align_patch(patch, side_px, now, to.x_px, to.y_px), known.options, to);
+    pull_to_patch(align_patch(patch, side_px, now, to.x_px, to.y_px), known.is_dot(index) && side_px < known.side_px,
+                  known.options, to);
   } else {
     const PatchMatch match = search_patch(patch, side_px, now, expected.x_px, expected.y_px, known.options.search_px);
     if (match.converged && match.likeness >= known.options.min_likeness) {

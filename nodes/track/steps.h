@@ -30,6 +30,10 @@ struct Knowledge {
   std::vector<std::size_t> jaw_line;  // the same; empty without an outline
   double mouth_px = 0;                // its width at the start
   Bonds bonds;
+  // Something small that tells its place: a dot, a mole, a corner.
+  bool is_mark(std::size_t point) const { return sides_px[point] < side_px; }
+  // Such a point on a face whose lips are painted with dots, most of them at least.
+  bool is_dot(std::size_t point) const;
 };
 
 // Where the points of a frame were seen; entries by point.
@@ -39,9 +43,18 @@ struct Seen {
   double return_error_px = 0;    // largest there-and-back error of those that were followed
 };
 
-// Takes the valid points of the previous frame to this one. Points that do not come home when they are followed back,
-// or that leave their neighbours, are not seen.
-Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points);
+// The part of a point's first patch that it is looked for with.
+std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index);
+
+// Where dots painted on the lower lip and the jaw may be, which in speech go farther from one frame to the next than
+// they are apart, and are alike: as far along the fall of the jaw (mouth_shape.h) as most of them are seen. places: in
+// the previous frame; those of other points, and all where nothing is gained, stay.
+std::vector<Sighting> leap(const Knowledge& known, const Grey& now, const Image& patches, std::vector<Sighting> places);
+
+// Takes the valid points of the previous frame to this one. guesses: where they may be. Points that do not come home
+// when they are followed back, or that leave their neighbours, are not seen.
+Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points,
+            const std::vector<Sighting>& guesses);
 
 // Moves points onto their own patches where these are seen again near them. Fades in, so that a patch that comes and
 // goes does not make the point jump. Rigid points of which the patch is not seen are forgotten.

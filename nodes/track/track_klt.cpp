@@ -55,7 +55,7 @@ void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, c
   seen.likeness.assign(points.size(), 0);
   for (const Landmark& point : points) seen.sightings.push_back({point.x_px, point.y_px});
   if (was_valid && !even) {
-    seen = follow(known, flow, before, points);
+    seen = follow(known, flow, before, points, leap(known, now, result.patches, seen.sightings));
     anchor(known, now, result.patches, seen);
     // A face that moves fast over a patterned ground looks like a cut, but is followed.
     const auto kept = std::count_if(seen.sightings.begin(), seen.sightings.end(), is_seen);

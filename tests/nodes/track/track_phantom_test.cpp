@@ -45,6 +45,15 @@ TEST(TrackPhantom, PaintedDotsAreFollowedToAThirdOfAPixelWithoutASetting) {
   EXPECT_LE(found.lost, 0.02);
 }
 
+TEST(TrackPhantom, DotsThatGoFartherThanTheyAreApartAreFollowed) {
+  // The lower lip falls by 23 px within a frame.
+  const Score found = score(
+      test::film_phantom("Please put the big blue cup back on the table before the visitors come home from the market.",
+                         100, test::Dots::painted));
+  EXPECT_LE(found.rms_px, 0.3);
+  EXPECT_LE(found.lost, 0.02);
+}
+
 TEST(TrackPhantom, UnpaintedSkinIsFollowedToAPixelAndAHalf) {
   const Score found = score(test::film_phantom(sentence, 90, test::Dots::none));
   EXPECT_LE(found.rms_px, 1.5);
