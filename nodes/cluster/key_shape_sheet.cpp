@@ -76,9 +76,15 @@ Image plot(const Table& curve, std::size_t kept, int picture_px) {
 
 }  // namespace
 
-Image key_shape_sheet(const KeyShapes& key_shapes, const engine::Seq<Image>& frames, const Table* curve,
-                      const KeyShapeSheetOptions& options) {
+Image key_shape_sheet(const KeyShapes& key_shapes, const engine::Seq<Image>& frames,
+                      const engine::Seq<Landmarks>* tracks, const Table* curve, const KeyShapeSheetOptions& options) {
   check(!key_shapes.shapes.empty(), "there are no key shapes");
+  const auto landmarks_of = [&](const KeyShape& key) {
+    for (std::size_t i = 0; tracks && i < tracks->size(); ++i)
+      if (tracks->id(i) == key.frame) return *tracks->at(i);
+    check(tracks == nullptr, "tracks has no landmarks of key shape ", key.frame);
+    return key.landmarks;
+  };
   const int picture_px = static_cast<int>(options.picture_px);
   // In the frames' order: a video is decoded once.
   std::map<std::string, Image> cuts;
@@ -91,7 +97,7 @@ Image key_shape_sheet(const KeyShapes& key_shapes, const engine::Seq<Image>& fra
                                    static_cast<std::size_t>(std::max(0, frame->channels));
       check(expected > 0 && frame->pixels.size() == expected, "frame ", key.frame, " has ", frame->pixels.size(),
             " bytes, expected ", frame->width, " x ", frame->height, " x ", frame->channels);
-      cuts[key.frame] = crop(*frame, key.landmarks, picture_px);
+      cuts[key.frame] = crop(*frame, landmarks_of(key), picture_px);
     }
   std::vector<Image> pictures;
   std::vector<render::Caption> captions;

@@ -27,22 +27,36 @@ std::size_t count(const Image& image, std::array<std::uint8_t, 3> color) {
 
 TEST(KeyShapeSheet, ShowsTheFrameOfEveryShapeAndTheCurve) {
   const engine::Seq<Image> frames({plain(10), plain(77)}, {"0", "1"});
-  const Image one = key_shape_sheet(keys("1"), frames, nullptr);
+  const Image one = key_shape_sheet(keys("1"), frames, nullptr, nullptr);
   EXPECT_GT(count(one, {77, 77, 77}), 240u * 200);  // the frame fills the picture but for the landmarks
   EXPECT_EQ(count(one, {10, 10, 10}), 0u);
   const Table curve{{"groups", "distance_merged", "error"}, {{"1", {1, 9, 5}}, {"2", {2, 3, 1}}, {"3", {3, 0, 0.5}}}};
-  const Image two = key_shape_sheet(keys("1"), frames, &curve);
+  const Image two = key_shape_sheet(keys("1"), frames, nullptr, &curve);
   EXPECT_GT(two.width, one.width);
   EXPECT_GT(count(two, {210, 40, 40}), 100u);
   EXPECT_GT(count(two, {40, 80, 220}), 100u);
 }
 
+TEST(KeyShapeSheet, DrawsPointsWhereTheyLieInTheFrame) {
+  const engine::Seq<Image> frames({plain(10), plain(77)}, {"0", "1"});
+  const Landmarks moved{{{"lip_0", 24, 30, true}, {"lip_6", 44, 30, true}}};
+  const engine::Seq<Landmarks> tracks({moved, moved}, {"0", "1"});
+  KeyShapes there = keys("1");
+  there.shapes[0].landmarks = moved;
+  const Image own = key_shape_sheet(keys("1"), frames, nullptr, nullptr);
+  EXPECT_EQ(key_shape_sheet(keys("1"), frames, &tracks, nullptr).pixels,
+            key_shape_sheet(there, frames, nullptr, nullptr).pixels);
+  EXPECT_NE(key_shape_sheet(keys("1"), frames, &tracks, nullptr).pixels, own.pixels);
+  const engine::Seq<Landmarks> others({moved}, {"0"});
+  EXPECT_THROW_TEXT(key_shape_sheet(keys("1"), frames, &others, nullptr), "tracks has no landmarks of key shape 1");
+}
+
 TEST(KeyShapeSheet, RejectsAFrameThatTheVideoHasNot) {
   const engine::Seq<Image> frames({plain(10)}, {"0"});
-  EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), frames, nullptr), "key shape 7 is no frame of the video");
-  EXPECT_THROW_TEXT(key_shape_sheet({}, frames, nullptr), "there are no key shapes");
+  EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), frames, nullptr, nullptr), "key shape 7 is no frame of the video");
+  EXPECT_THROW_TEXT(key_shape_sheet({}, frames, nullptr, nullptr), "there are no key shapes");
   const engine::Seq<Image> empty({Image{60, 40, 3, {}}}, {"7"});
-  EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), empty, nullptr), "frame 7 has 0 bytes, expected 60 x 40 x 3");
+  EXPECT_THROW_TEXT(key_shape_sheet(keys("7"), empty, nullptr, nullptr), "frame 7 has 0 bytes, expected 60 x 40 x 3");
 }
 
 }  // namespace
