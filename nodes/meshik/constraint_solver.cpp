@@ -17,7 +17,8 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
-ConstraintSolver::ConstraintSolver(const MeshSpace& space, const VertexTargets& targets) : space_(space) {
+ConstraintSolver::ConstraintSolver(const MeshSpace& space, const VertexTargets& targets, double give_mm2)
+    : space_(space), give_mm2_(give_mm2) {
   std::vector<std::size_t> all, with_z;
   for (std::size_t i = 0; i < targets.targets.size(); ++i) {
     const VertexTarget& target = targets.targets[i];
@@ -62,6 +63,7 @@ void ConstraintSolver::make_axis(const std::vector<std::size_t>& chosen, AxisCon
     for (std::size_t j = 0; j < n; ++j) matrix(index(i), index(j)) = schur_[chosen[i] * vertices_.size() + chosen[j]];
     const auto part = std::lower_bound(axis.parts.begin(), axis.parts.end(), space_.component[vertices_[chosen[i]]]);
     const std::size_t column = n + static_cast<std::size_t>(part - axis.parts.begin());
+    matrix(index(i), index(i)) += give_mm2_;
     matrix(index(i), index(column)) = matrix(index(column), index(i)) = 1;
   }
   axis.inverse.resize(size * size);

@@ -12,8 +12,8 @@
 namespace face::meshik {
 
 // Constraints of one axis: which of the targets, and the inverse of
-//   [ C A^-1 C'  E ]     A = G'G without pinned vertices, E = part of every constrained vertex
-//   [ E'         0 ]
+//   [ C A^-1 C' + give I  E ]     A = G'G without pinned vertices, E = part of every constrained vertex
+//   [ E'                  0 ]
 // whose solution is the pull of every constraint and the shift of every part that has one.
 struct AxisConstraints {
   std::vector<std::size_t> targets;
@@ -23,7 +23,8 @@ struct AxisConstraints {
 
 class ConstraintSolver {
  public:
-  ConstraintSolver(const MeshSpace& space, const VertexTargets& targets);
+  // give_mm2: the energy |C v - c|^2 / give takes the place of C v = c; 0 = exactly there.
+  ConstraintSolver(const MeshSpace& space, const VertexTargets& targets, double give_mm2 = 0);
 
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
   const AxisConstraints& axis(std::size_t d) const { return d == 2 ? z_ : xy_; }
@@ -38,6 +39,7 @@ class ConstraintSolver {
   void make_axis(const std::vector<std::size_t>& chosen, AxisConstraints& axis) const;
 
   const MeshSpace& space_;
+  const double give_mm2_;
   std::vector<std::uint32_t> vertices_;
   std::vector<double> lower_, schur_;  // schur: C A^-1 C'
   AxisConstraints xy_, z_;

@@ -46,9 +46,11 @@ double residual_of(const MeshSpace& space, std::size_t tile, const BlendTile& bl
 }  // namespace
 
 struct MeshIkSolver::State {
-  State(const MeshSpace& s, const VertexTargets& targets) : space(s), constraints(s, targets) {}
+  State(const MeshSpace& s, const VertexTargets& targets, double give)
+      : space(s), give_mm2(give), constraints(s, targets, give) {}
 
   const MeshSpace& space;
+  const double give_mm2;
   ConstraintSolver constraints;
 
   void check_same(const VertexTargets& targets) const {
@@ -65,6 +67,16 @@ struct MeshIkSolver::State {
     check(same, "the targets are other vertices than those that the solver was made for");
   }
 
+  static double missed_mm2(const VertexTargets& targets, const std::vector<double>& vertices) {
+    double sum = 0;
+    for (const VertexTarget& target : targets.targets) {
+      const double* at = &vertices[3 * target.vertex];
+      sum += std::pow(at[0] - target.x_mm, 2) + std::pow(at[1] - target.y_mm, 2);
+      if (target.has_z) sum += std::pow(at[2] - target.z_mm, 2);
+    }
+    return sum;
+  }
+
   double evaluate(const VertexTargets& targets, const std::vector<double>& weights, std::vector<double>& vertices,
                   std::vector<double>* gradient) const {
     std::vector<double> sums(4 * (free_count(space) + 1), 0.0);
@@ -75,7 +87,7 @@ struct MeshIkSolver::State {
     }
     vertices = constraints.solve(sums, targets, weights);
     if (gradient) gradient->assign(weights.size(), 0.0);
-    double energy = 0, residual[2][3][tile_lanes];
+    double energy = give_mm2 > 0 ? missed_mm2(targets, vertices) / give_mm2 : 0, residual[2][3][tile_lanes];
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
       energy += residual_of(space, tile, tiles[tile], vertices, residual);
       // dE/da = -2 J'r: the vertices are at their best, so that their own change does not count.
@@ -141,8 +153,8 @@ struct MeshIkSolver::State {
   }
 };
 
-MeshIkSolver::MeshIkSolver(const MeshSpace& space, const VertexTargets& targets)
-    : state_(std::make_unique<const State>(space, targets)) {}
+MeshIkSolver::MeshIkSolver(const MeshSpace& space, const VertexTargets& targets, double give_mm2)
+    : state_(std::make_unique<const State>(space, targets, give_mm2)) {}
 MeshIkSolver::~MeshIkSolver() = default;
 
 double MeshIkSolver::energy(const VertexTargets& targets, const std::vector<double>& weights,
@@ -236,7 +248,7 @@ SolveResult solve(const MeshSpace& space, const VertexTargets& targets, const We
       weights[k] = static_cast<double>(start->values[k]);
     }
   }
-  const VertexSolution found = MeshIkSolver(space, targets).solve_vertices(targets, weights, options);
+  const VertexSolution found = MeshIkSolver(space, targets, options.give_mm2).solve_vertices(targets, weights, options);
   SolveResult result;
   for (const double weight : found.weights) result.weights.values.push_back(static_cast<float>(weight));
   result.points.points_mm = points_of(found.vertices_mm);

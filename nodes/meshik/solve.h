@@ -17,12 +17,15 @@ struct SolveOptions {
   // Energy of a weight of 1, per triangle. Directions of the weights that the constraints do not tell apart stay near
   // 0.
   double restraint = 1e-8;
+  // Targets that are uncertain: missing one by d mm costs d^2 / give_mm2 of energy, and where they contradict each
+  // other or all examples they are not reached. 0 = exactly.
+  double give_mm2 = 0;
 };
 
 struct VertexSolution {
   std::vector<double> weights;      // K
   std::vector<double> vertices_mm;  // 3 V
-  double energy = 0;                // |G v - M(a)|^2, without the restraint
+  double energy = 0;                // |G v - M(a)|^2 and what missed targets cost, without the restraint
   bool converged = false;
   std::int64_t iterations = 0;
 };
@@ -35,11 +38,12 @@ struct VertexSolution {
 // correct that Hessian by the curvature that they meet (Broyden, Fletcher, Goldfarb, Shanno; Nocedal and Wright,
 // Numerical Optimization, 2006, eq. 6.19), and are damped where the energy would grow (Marquardt, An Algorithm for
 // Least-Squares Estimation of Nonlinear Parameters, 1963). Differs from Sumner et al. 2005, who solve for v and a at
-// once and put the fourth vertices in.
+// once and put the fourth vertices in; and targets may give way (give_mm2).
 class MeshIkSolver {
  public:
-  // targets: which coordinates are constrained; their places do not matter here. Keeps a reference to space.
-  MeshIkSolver(const MeshSpace& space, const VertexTargets& targets);
+  // targets: which coordinates are constrained; their places do not matter here. Keeps a reference to space. give_mm2:
+  // as in SolveOptions, whose own does not matter here.
+  MeshIkSolver(const MeshSpace& space, const VertexTargets& targets, double give_mm2 = 0);
   ~MeshIkSolver();
 
   // targets: the same vertices in the same order. start: K weights, a good guess saves iterations.

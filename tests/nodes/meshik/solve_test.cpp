@@ -98,6 +98,41 @@ TEST(Solve, PutsTheTargetsExactlyWhereTheyHaveToBe) {
   }
 }
 
+TEST(Solve, UncertainTargetsGiveWayToTheExamples) {
+  const MeshSpace space = space_of(4);
+  const std::vector<double> truth = reconstruct_vertices(space, {0, 0, 0.8, 0});
+  VertexTargets targets = targets_of(truth, 3);
+  for (std::size_t i = 0; i < targets.targets.size(); ++i)
+    targets.targets[i].x_mm += i % 2 == 0 ? 2 : -2, targets.targets[i].y_mm += i % 3 == 0 ? 2 : -1;
+  const auto off_mm = [&](double give_mm2) {
+    const std::vector<double> found = MeshIkSolver(space, targets, give_mm2)
+                                          .solve_vertices(targets, std::vector<double>(4, 0.0), exact())
+                                          .vertices_mm;
+    double sum = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found[i] - truth[i], 2);
+    return std::sqrt(sum / static_cast<double>(space.vertex_count));
+  };
+  EXPECT_LT(off_mm(1000), 0.2 * off_mm(0));
+  EXPECT_NEAR(off_mm(1e-9), off_mm(0), 1e-3);
+}
+
+TEST(Solve, HasTheGradientThatDifferencesHaveAlsoWithTargetsThatGiveWay) {
+  const MeshSpace space = space_of(5);
+  const VertexTargets targets = targets_of(reconstruct_vertices(space, {0.9, 0.2, 0.5, 0, 0.3}), 11, 1.05);
+  const MeshIkSolver solver(space, targets, 20);
+  const std::vector<double> at = {0.4, 1.1, -0.3, 0.8, 0.6};
+  std::vector<double> gradient;
+  const double energy = solver.energy(targets, at, &gradient);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    constexpr double step = 1e-5;
+    std::vector<double> up = at, down = at;
+    up[k] += step;
+    down[k] -= step;
+    const double slope = (solver.energy(targets, up, nullptr) - solver.energy(targets, down, nullptr)) / (2 * step);
+    EXPECT_NEAR(gradient[k], slope, 1e-6 * energy) << "example " << k;
+  }
+}
+
 TEST(Solve, HasTheGradientThatDifferencesHave) {
   const MeshSpace space = space_of(5);
   const VertexTargets targets = targets_of(reconstruct_vertices(space, {0.9, 0.2, 0.5, 0, 0.3}), 11, 1.05);
