@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The graphs of graphs/speech_to_video, as a person runs them.
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/end_to_end/command.h"
@@ -36,6 +41,45 @@ class SpeechToVideo : public test::CommandTest {
     }
     return values;
   }
+  // A film of two words, 160 x 120.
+  void make_film() {
+    const Ended ended = wait(start(
+        Words{"--store", path("store"), "run", graph("phantom/video_tiny.json"), "--quiet", "--out", path("out")}));
+    ASSERT_EQ(ended.code, 0) << ended.output;
+  }
+  Words learn_film(const std::string& labels) {
+    return {"--store",
+            path("store"),
+            "run",
+            graph("speech_to_video/learn.json"),
+            "--quiet",
+            "--set",
+            "video=" + path("out") + "/video.mp4",
+            "--set",
+            "labels=" + labels,
+            "--set",
+            "prototypes=6",
+            "--set",
+            "components=4",
+            "--set",
+            "box_left_px=46",
+            "--set",
+            "box_top_px=64",
+            "--set",
+            "box_width_px=68",
+            "--set",
+            "box_height_px=44"};
+  }
+  // The tasks that a run told of as finished; a line that was cut off tells of none.
+  std::set<std::string> finished(const std::string& events) {
+    std::set<std::string> tasks;
+    for (const std::string& line : test::lines_of(read(events))) {
+      const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+      if (json.is_object() && json["event"] == "finished")
+        tasks.insert(json["node"].get<std::string>() + "[" + json.value("element", "") + "]");
+    }
+    return tasks;
+  }
   static double mean(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values) sum += value;
@@ -65,20 +109,59 @@ TEST_F(SpeechToVideo, PointsOfAVideoMoveAHead) {
   EXPECT_LT(mean(column("mesh.csv", 4)), 1.5) << read("out/mesh.csv");
 }
 
-TEST_F(SpeechToVideo, LabelsOfAnotherVideoAreRefused) {
-  Ended ended = wait(
-      start(Words{"--store", path("store"), "run", graph("phantom/video_tiny.json"), "--quiet", "--out", path("out")}));
+TEST_F(SpeechToVideo, LearningGoesOnWhereItWasKilled) {
+  using namespace std::chrono_literals;
+  make_film();
+  const std::string labels = path("out") + "/phones.json";
+  const pid_t child = start(learn_film(labels) + Words{"--events", "first.ndjson"});
+  const auto patience = std::chrono::steady_clock::now() + 60s;
+  while (finished("first.ndjson").size() < 30 && std::chrono::steady_clock::now() < patience)
+    std::this_thread::sleep_for(5ms);
+  ::kill(child, SIGKILL);
+  EXPECT_EQ(wait(child).code, 128 + SIGKILL);
+  const std::set<std::string> before = finished("first.ndjson");
+  EXPECT_GE(before.size(), 30u);
+  const Ended ended = wait(start(learn_film(labels) + Words{"--events", "second.ndjson", "--out", path("learned")}));
   ASSERT_EQ(ended.code, 0) << ended.output;
+  const std::set<std::string> after = finished("second.ndjson");
+  EXPECT_GE(after.size(), 30u);
+  // A video is decoded anew: its frames are not kept.
+  for (const std::string& task : after) EXPECT_FALSE(before.contains(task)) << task << " was finished, and ran again";
+  EXPECT_TRUE(exists("learned/rebuilt.csv"));
+}
+
+TEST_F(SpeechToVideo, LabelsOfAnotherVideoAreRefused) {
+  make_film();
   write("other.json",
         R"([{"phone": "SIL", "start_s": 0, "end_s": 0.3}, {"phone": "M", "start_s": 0.3, "end_s": 0.5, "word": "mama"},
                           {"phone": "AA", "start_s": 0.9, "end_s": 1.2, "word": "mama"}])");
-  ended = wait(start(Words{"--store", path("store"), "run", graph("speech_to_video/learn.json"), "--quiet", "--to",
-                           "learned/labels", "--set", "video=" + path("out") + "/video.mp4", "--set",
-                           "labels=" + path("other.json")}));
+  Ended ended = wait(start(learn_film(path("other.json")) + Words{"--to", "learned/labels"}));
   EXPECT_EQ(ended.code, 1);
   EXPECT_NE(ended.output.find("labels do not match the video: the last phone (AA) ends at 1.2 s, the video ends at "),
             std::string::npos)
       << ended.output;
+}
+
+TEST_F(SpeechToVideo, LabelsOfOtherWordsAreRefusedWithTheFirstThatDoesNotFit) {
+  if (!fs::exists("/usr/share/pocketsphinx/model/en-us/en-us")) GTEST_SKIP() << "needs pocketsphinx-en-us";
+  make_film();
+  // The film's own times, with other phones in them.
+  nlohmann::json labels = nlohmann::json::parse(read("out/phones.json"));
+  nlohmann::json& phones = labels.is_array() ? labels : labels["phones"];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < phones.size(); ++i) {
+    if (phones[i]["phone"] == "SIL") continue;
+    phones[i]["phone"] = count % 2 == 0 ? "SH" : "UW";
+    ++count;
+  }
+  ASSERT_GT(count, 3u);
+  write("other.json", labels.dump());
+  Ended ended = wait(start(learn_film(path("other.json")) + Words{"--to", "learned/labels"}));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.output.find("labels do not match the video: phone "), std::string::npos) << ended.output;
+  EXPECT_NE(ended.output.find("the sound there scores "), std::string::npos) << ended.output;
+  ended = wait(start(learn_film(path("out") + "/phones.json") + Words{"--to", "learned/labels"}));
+  EXPECT_EQ(ended.code, 0) << ended.output;
 }
 
 }  // namespace
