@@ -12,12 +12,18 @@
 namespace face::track {
 namespace {
 
-bool is_lip(const Landmark& point) { return point.name.starts_with("lip_"); }
+// Outer lips by the layout of 18 and by the 68 of Multi-PIE: lip_0 is 48.
+std::string number_of(int lip) { return std::to_string(48 + lip); }
+
+bool is_lip(const Landmark& point) {
+  return point.name.starts_with("lip_") ||
+         (point.name.size() == 2 && point.name >= number_of(0) && point.name <= number_of(11));
+}
 
 double y_of(const Landmarks& landmarks, int lip) {
   const std::string name = "lip_" + std::to_string(lip);
   for (const Landmark& point : landmarks.points)
-    if (point.name == name) return point.y_px;
+    if (point.name == name || point.name == number_of(lip)) return point.y_px;
   fail("there is no point ", name, ", expected lip_1 to lip_5 and lip_7 to lip_11");
 }
 
@@ -25,6 +31,41 @@ double lip_height(const Landmarks& landmarks) {
   double height = 0;
   for (int i = 1; i <= 5; ++i) height += (y_of(landmarks, 12 - i) - y_of(landmarks, i)) / 5;
   return height;
+}
+
+// The points above and below the opening of the mouth: inner_lip_1 and inner_lip_7, _2 and _6, _3 and _5.
+std::vector<std::pair<std::size_t, std::size_t>> inner_pairs(const Landmarks& landmarks) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (int k = 1; k <= 3; ++k) {
+    const auto index = [&](int number) {
+      const std::string name = "inner_lip_" + std::to_string(number);
+      return static_cast<std::size_t>(std::find_if(landmarks.points.begin(), landmarks.points.end(),
+                                                   [&](const Landmark& point) { return point.name == name; }) -
+                                      landmarks.points.begin());
+    };
+    const std::size_t upper = index(k), lower = index(8 - k);
+    if (std::max(upper, lower) < landmarks.points.size()) pairs.emplace_back(upper, lower);
+  }
+  return pairs;
+}
+
+// Brings each pair as near to each other as it comes in the frames in which the lips meet. A mouth at rest may be a
+// little open; on the head it is shut.
+void shut(const engine::Seq<Landmarks>& landmarks, const std::vector<std::size_t>& frames, Landmarks& rest) {
+  constexpr double meeting = 0.1;  // share of the frames
+  for (const auto& [upper, lower] : inner_pairs(rest)) {
+    std::vector<double> gaps_px;
+    for (const std::size_t frame : frames) {
+      const auto here = landmarks.at(frame);
+      gaps_px.push_back(here->points[lower].y_px - here->points[upper].y_px);
+    }
+    const auto place = gaps_px.begin() + static_cast<std::ptrdiff_t>(meeting * static_cast<double>(gaps_px.size() - 1));
+    std::nth_element(gaps_px.begin(), place, gaps_px.end());
+    double &above = rest.points[upper].y_px, &below = rest.points[lower].y_px;
+    const double more = std::max(0.0, below - above - *place) / 2;
+    above += more;
+    below -= more;
+  }
 }
 
 // A frame whose lips are all seen.
@@ -79,6 +120,8 @@ Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptio
   std::vector<Mouth> mouths = find_mouths(landmarks);
   Landmarks rest = *landmarks.at(mouths.empty() ? 0 : mouths[0].frame);
   if (mouths.empty()) return rest;
+  std::vector<std::size_t> frames;
+  for (const Mouth& mouth : mouths) frames.push_back(mouth.frame);
   std::stable_sort(mouths.begin(), mouths.end(),
                    [](const Mouth& a, const Mouth& b) { return a.height_px < b.height_px; });
   const auto last = static_cast<double>(mouths.size() - 1);
@@ -114,6 +157,7 @@ Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptio
     rest.points[p].x_px = sum.x_px / sum.count;
     rest.points[p].y_px = sum.y_px / sum.count;
   }
+  shut(landmarks, frames, rest);
   return rest;
 }
 

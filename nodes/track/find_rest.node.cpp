@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.find_rest", &find_rest, version{2}, doc{"The points of a face whose mouth is shut, found in a clip."},
+NODE("track.find_rest", &find_rest, version{3}, doc{"The points of a face whose mouth is shut, found in a clip."},
      input{"landmarks", "The points of every frame of a head that stands still, from track.stabilise"},
      param("from_share", &FindRestOptions::from_share, range{0.0, 1.0}, unit{"1"},
            "Share of the frames, by the height of the lips: thinner lips are pressed together"),

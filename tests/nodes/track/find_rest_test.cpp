@@ -45,6 +45,18 @@ TEST(FindRest, IsAMouthAtRestThoughBilabialsPressItThinner) {
   EXPECT_GT(find_rest(frames, all).points[3].y_px, -3.9);
 }
 
+TEST(FindRest, KnowsTheNumbersOfMultiPie) {
+  std::vector<Landmarks> named, numbered;
+  for (int i = 0; i < 40; ++i) named.push_back(mouth(i == 0 ? 20 : 8 + i % 3));
+  for (Landmarks frame : named) {
+    for (std::size_t p = 0; p < 12; ++p) frame.points[p].name = std::to_string(48 + p);
+    frame.points.push_back({"60", 1, 300, false});  // inner lips do not count
+    numbered.push_back(std::move(frame));
+  }
+  const Landmarks a = find_rest(named), b = find_rest(numbered);
+  for (std::size_t p = 0; p < 12; ++p) EXPECT_EQ(a.points[p].y_px, b.points[p].y_px);
+}
+
 TEST(FindRest, TakesFramesThatLostTheChinAndItsPlaceFromOthers) {
   std::vector<Landmarks> frames;
   for (int i = 0; i < 10; ++i) {
@@ -55,6 +67,22 @@ TEST(FindRest, TakesFramesThatLostTheChinAndItsPlaceFromOthers) {
   all.still_share = all.to_share = 1;
   all.from_share = 0;
   EXPECT_NEAR(find_rest(frames, all).points[12].y_px, 40, 1e-9);
+}
+
+TEST(FindRest, IsShutThoughTheMouthRestsALittleOpen) {
+  std::vector<Landmarks> frames;
+  for (int i = 0; i < 100; ++i) {
+    // At rest from the 40th frame on, ajar by 3 px; every fifth frame before is a bilabial.
+    const double gap = i >= 40 ? 3 : i % 5 == 0 ? 1 : 9;
+    frames.push_back(mouth(i >= 40 ? 8 : i % 5 == 0 ? 7 : 16));
+    frames.back().points.push_back({"inner_lip_2", 5, 10 - gap / 2, true});
+    frames.back().points.push_back({"inner_lip_6", 5, 10 + gap / 2, true});
+  }
+  for (int i = 0; i < 4; ++i) frames[static_cast<std::size_t>(5 * i + 1)] = frames[0];
+  const Landmarks rest = find_rest(frames);
+  EXPECT_NEAR(rest.points[3].y_px, -4, 1e-9);
+  EXPECT_NEAR(rest.points[12].y_px, 9.5, 1e-9);
+  EXPECT_NEAR(rest.points[13].y_px, 10.5, 1e-9);
 }
 
 TEST(FindRest, LeavesFramesWithALostLipOut) {
