@@ -2,12 +2,14 @@
 #include "nodes/model/join_takes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "nodes/base/check.h"
 
 namespace face::model {
 
-JoinTakesResult join_takes(const engine::Seq<Phones>& phones, const engine::Seq<Timeline>& timelines) {
+JoinTakesResult join_takes(const engine::Seq<Phones>& phones, const engine::Seq<Timeline>& timelines,
+                           engine::Progress& progress) {
   check(phones.size() == timelines.size(), "phones has ", phones.size(), " takes, timelines ", timelines.size());
   JoinTakesResult result;
   double start_s = 0;
@@ -15,6 +17,10 @@ JoinTakesResult join_takes(const engine::Seq<Phones>& phones, const engine::Seq<
     const auto speech = phones.at(t);
     const auto frames = timelines.at(t);
     const double length_s = std::max(speech->duration_s, frames->duration_s);
+    if (std::fabs(speech->duration_s - frames->duration_s) > 0.5)
+      progress.warn(message("take ", phones.id(t), ": its speech lasts ", speech->duration_s, " s, its frames ",
+                            frames->duration_s,
+                            " s, expected the same: is the sound that of this take, and rate_hz right?"));
     for (Phone phone : speech->phones) {
       phone.start_s += start_s;
       phone.end_s += start_s;

@@ -19,6 +19,12 @@ namespace {
 using namespace face;
 using namespace face::model;
 
+class Heard : public engine::Progress {
+ public:
+  void warn(const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
 // Random shapes of V points, of rank `rank`.
 std::vector<MeshPoints> random_shapes(int count, int vertices, int rank, std::uint64_t seed = 1) {
   Random random(seed);
@@ -270,6 +276,22 @@ TEST(SampleScan, MovesVerticesWithTheFlowAndFillsWhatIsMissing) {
   EXPECT_LT(result.sampled, 1);
 }
 
+TEST(SampleScan, LeavesOutATeethsDepthAtTheEdgeOfTheLips) {
+  DepthScan reference;
+  reference.camera.focal_px = 100;
+  reference.camera.position_mm = {0, 0, 100};
+  reference.camera.centre_x_px = reference.camera.centre_y_px = 15.5f;
+  reference.picture = {32, 32, 1, std::vector<std::uint8_t>(32 * 32, 90)};
+  reference.depth_mm.assign(32 * 32, 100);
+  DepthScan target = reference;
+  for (const int x : {14, 16, 18}) target.depth_mm[static_cast<std::size_t>(16 * 32 + x)] = 106;
+  const FlowField still{32, 32, std::vector<Vec2f>(32 * 32, {0, 0}), std::vector<std::uint8_t>(32 * 32, 1)};
+  for (const Vec3f& p : sample_scan(reference, target, still).shape.points_mm) EXPECT_NEAR(p[2], 0, 1e-4);
+  // What moves together is no tooth.
+  target.depth_mm.assign(32 * 32, 106);
+  for (const Vec3f& p : sample_scan(reference, target, still).shape.points_mm) EXPECT_NEAR(p[2], -6, 1e-4);
+}
+
 TEST(SampleScan, RejectsAFlowOfAnotherSize) {
   DepthScan scan;
   scan.picture = {4, 4, 1, std::vector<std::uint8_t>(16, 0)};
@@ -280,12 +302,26 @@ TEST(SampleScan, RejectsAFlowOfAnotherSize) {
 TEST(JoinTakes, PutsTakesOneAfterTheOther) {
   const Phones a{{{"AA", 0, 1, "a", 0}}, 1, true}, b{{{"B", 0, 0.5, "b", 0}}, 0.5, true};
   const Timeline ta{{0, 0.5, 1.0}, 1.5}, tb{{0, 0.25}, 0.5};
-  const JoinTakesResult joined = join_takes(engine::Seq<Phones>({a, b}), engine::Seq<Timeline>({ta, tb}));
+  Heard heard;
+  const JoinTakesResult joined = join_takes(engine::Seq<Phones>({a, b}), engine::Seq<Timeline>({ta, tb}), heard);
+  EXPECT_TRUE(heard.texts.empty());
   ASSERT_EQ(joined.phones.phones.size(), 3u);
   EXPECT_EQ(joined.phones.phones[1].label, "SIL");
   EXPECT_EQ(joined.phones.phones[2].start_s, 1.5);
   EXPECT_EQ(joined.timeline.time_s, (std::vector<double>{0, 0.5, 1.0, 1.5, 1.75}));
   EXPECT_EQ(joined.phones.duration_s, 2);
+}
+
+TEST(JoinTakes, NamesATakeWhoseSoundIsNotItsOwn) {
+  const Phones a{{{"AA", 0, 1, "a", 0}}, 1, true};
+  const Timeline short_one{{0, 0.5, 1.0}, 1.5}, long_one{{0, 0.5, 1.0, 1.5}, 2};
+  Heard heard;
+  join_takes(engine::Seq<Phones>({a, a}, {"one", "two"}), engine::Seq<Timeline>({short_one, long_one}, {"one", "two"}),
+             heard);
+  ASSERT_EQ(heard.texts.size(), 1u);
+  EXPECT_EQ(heard.texts[0],
+            "take two: its speech lasts 1 s, its frames 2 s, expected the same: is the sound that of this take, and "
+            "rate_hz right?");
 }
 
 TEST(RegionWeights, AreOneInTheMiddleAndNoneOutside) {
