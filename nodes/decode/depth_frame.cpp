@@ -66,13 +66,17 @@ void take_cloud(const FramePaths& paths, const ScanCameraFile& camera, DepthScan
   for (const auto& c : cloud.colors) scan.picture.pixels.insert(scan.picture.pixels.end(), c.begin(), c.end());
 }
 
-void take_depth(const FramePaths& paths, const ScanCameraFile& camera, DepthScan& scan) {
+// Whether it is in whole numbers.
+bool take_depth(const FramePaths& paths, const ScanCameraFile& camera, DepthScan& scan) {
   const DepthImage depth = read_depth_image(paths.depth, leaf(paths.depth));
+  check(!depth.whole_numbers || depth.bits == 16, leaf(paths.depth), " has ", depth.bits,
+        " bits per pixel, expected 16 bits or an EXR: 256 steps are too few for depth");
   scan.picture = {depth.width, depth.height, 1, {}};
   const double unit_mm = depth.whole_numbers ? camera.depth_unit_mm : camera.length_unit_mm;
   for (const float value : depth.values)
     scan.depth_mm.push_back(std::isfinite(value) && value > 0 ? static_cast<float>(unit_mm * static_cast<double>(value))
                                                               : 0.0f);
+  return depth.whole_numbers;
 }
 
 // Rows resampled so that pixels are as high as wide; the place of the centre stays.
@@ -107,19 +111,20 @@ DepthFrame read_depth_frame(const FramePaths& paths, const ScanCameraFile& camer
   if (!paths.cloud.empty())
     take_cloud(paths, camera, scan);
   else
-    take_depth(paths, camera, scan);
+    frame.whole_numbers = take_depth(paths, camera, scan);
   const int width = scan.picture.width, height = scan.picture.height;
   if (camera.width_px > 0 && camera.height_px > 0)
-    check_size(paths.cloud.empty() ? "its depth" : "its cloud", width, height, camera.width_px, camera.height_px);
+    check_size(paths.cloud.empty() ? "its depth " + leaf(paths.depth) : "its cloud " + leaf(paths.cloud), width, height,
+               camera.width_px, camera.height_px);
   if (!paths.picture.empty()) {
     Image picture = read_picture(paths.picture, leaf(paths.picture));
-    check_size("its picture", picture.width, picture.height, width, height);
+    check_size("its picture " + leaf(paths.picture), picture.width, picture.height, width, height);
     scan.picture = std::move(picture);
   }
   check(!scan.picture.pixels.empty(), "it has no picture");
   if (!paths.mask.empty()) {
     const DepthImage mask = read_depth_image(paths.mask, leaf(paths.mask));
-    check_size("its mask", mask.width, mask.height, width, height);
+    check_size("its mask " + leaf(paths.mask), mask.width, mask.height, width, height);
     bool any = false;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
       const bool on = mask.values[i] >= static_cast<float>(camera.mask_from);

@@ -16,6 +16,7 @@ struct DepthFrame {
   DepthScan scan;
   double measured_px = 0;
   double median_depth_mm = 0;
+  bool whole_numbers = false;  // its depth, which is in depth_unit_mm then
   double width_mm = 0;  // of what is measured, between its 5th and 95th percentile
 };
 

@@ -53,6 +53,7 @@ DepthImage read_depth_image(const std::string& path, const std::string& title) {
     out.width = frame.width;
     out.height = frame.height;
     out.whole_numbers = !floats;
+    out.bits = floats ? 32 : wide ? 16 : 8;
     for (int y = 0; y < frame.height; ++y) {
       const std::uint8_t* row = frame.data[plane] + static_cast<std::ptrdiff_t>(frame.linesize[plane]) * y;
       for (int x = 0; x < frame.width; ++x) {

@@ -12,6 +12,7 @@ struct DepthImage {
   int width = 0;
   int height = 0;
   bool whole_numbers = true;  // of 8 or 16 bits; false: floats
+  int bits = 0;               // of one number
   std::vector<float> values;  // height x width
 };
 

@@ -22,6 +22,7 @@ struct Frame {
   long number = 0;
   FramePaths paths;
   double measured_px = 0, median_depth_mm = 0;
+  int width = 0, height = 0;
   std::string trouble;  // empty: it is kept
 };
 
@@ -59,13 +60,28 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
 }
 
 // Says what a median depth of the wrong size would be in another unit.
-std::string depth_trouble(double depth_mm, const DepthTakeOptions& options) {
+std::string depth_trouble(double depth_mm, const char* key, const DepthTakeOptions& options) {
   std::string text =
       message("its median depth is ", depth_mm, " mm, expected ", options.near_mm, " to ", options.far_mm);
   for (const double factor : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0})
     if (depth_mm * factor >= options.near_mm && depth_mm * factor <= options.far_mm)
-      return text + message(": is the unit of depth ", factor, " times what is said?");
+      return text + message(": is the unit of depth ", factor, " times what ", key, " in camera.json says?");
   return text;
+}
+
+// The size that most frames have; of equally many, the first frame's.
+std::pair<int, int> usual_size(const std::vector<Frame>& frames) {
+  std::map<std::pair<int, int>, int> counts;
+  for (const Frame& frame : frames)
+    if (frame.width > 0) ++counts[{frame.width, frame.height}];
+  std::pair<int, int> best;
+  int most = 0;
+  for (const Frame& frame : frames)
+    if (frame.width > 0 && counts[{frame.width, frame.height}] > most) {
+      best = {frame.width, frame.height};
+      most = counts[best];
+    }
+  return best;
 }
 
 double median(std::vector<double> values) {
@@ -110,8 +126,11 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
     if (!found) continue;
     frame.measured_px = found->measured_px;
     frame.median_depth_mm = found->median_depth_mm;
+    frame.width = found->scan.picture.width;
+    frame.height = found->scan.picture.height;
     if (found->median_depth_mm < options.near_mm || found->median_depth_mm > options.far_mm) {
-      frame.trouble = depth_trouble(found->median_depth_mm, options);
+      frame.trouble =
+          depth_trouble(found->median_depth_mm, found->whole_numbers ? "depth_unit_mm" : "length_unit", options);
     } else if (found->width_mm < options.least_width_mm || found->width_mm > options.most_width_mm) {
       frame.trouble =
           message("what is measured is ", std::lround(found->width_mm), " mm wide, expected ", options.least_width_mm,
@@ -122,9 +141,13 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
     }
   }
   const double area_px = median(areas), depth_mm = median(depths);
+  const auto [width, height] = usual_size(frames);
   for (Frame& frame : frames) {
     if (!frame.trouble.empty()) continue;
-    if (frame.measured_px < options.least_face * area_px)
+    if (frame.width != width || frame.height != height)
+      frame.trouble = message("it is ", frame.width, " x ", frame.height, " pixels, expected ", width, " x ", height,
+                              " as the others");
+    else if (frame.measured_px < options.least_face * area_px)
       frame.trouble =
           message("it shows no face: ", frame.measured_px, " pixels are measured, the take's median is ", area_px);
     else if (std::fabs(frame.median_depth_mm - depth_mm) > options.face_change_mm)

@@ -215,17 +215,33 @@ TEST(DepthTake, NamesFramesThatAreWrongAndKeepsTheRest) {
   ASSERT_EQ(stream.heard.texts.size(), 8u);
   EXPECT_EQ(stream.heard.texts[0], "take a, file depth/a/notes.pgm: its name is no frame number; left out");
   EXPECT_EQ(stream.heard.texts[1],
-            "take a, frame 2: its median depth is 8.4 mm, expected 150 to 4000: is the unit of depth 100 times what is "
-            "said?; left out");
+            "take a, frame 2: its median depth is 8.4 mm, expected 150 to 4000: is the unit of depth 100 times what "
+            "depth_unit_mm in camera.json says?; left out");
   EXPECT_EQ(stream.heard.texts[2], "take a, frame 3: its mask is empty; left out");
   EXPECT_EQ(stream.heard.texts[3],
             "take a, frame 4: it shows no face: 48 pixels are measured, the take's median is 1004; left out");
   EXPECT_EQ(stream.heard.texts[4],
             "take a, frame 5: it shows no face: its median depth is 1400 mm, the take's 844; left out");
   EXPECT_EQ(stream.heard.texts[5].substr(0, 23), "take a, frame 6: 6.pgm ");
-  EXPECT_EQ(stream.heard.texts[6], "take a, frame 7: its picture is 20 x 20 pixels, expected 64 x 48; left out");
+  EXPECT_EQ(stream.heard.texts[6], "take a, frame 7: its picture 7.pgm is 20 x 20 pixels, expected 64 x 48; left out");
   EXPECT_EQ(stream.heard.texts[7], "take a, frames 9 to 11 are missing");
   EXPECT_EQ(std::count(result.report.begin(), result.report.end(), '\n'), 8);
+}
+
+TEST(DepthTake, NamesFramesOfAnotherSizeAndDepthOfEightBits) {
+  Stream stream(R"({"fx": 200, "cx": 31.5, "cy": 23.5, "depth_unit_mm": 0.1})");
+  for (const int n : {1, 2, 3, 4}) stream.frame(n);
+  stream.write("depth/a/2.pgm", pgm(std::vector<int>(56 * 48, 8440), 65535, 56));
+  stream.write("picture/a/2.pgm", pgm(std::vector<int>(56 * 48, 9), 255, 56));
+  stream.write("depth/a/4.pgm", pgm(std::vector<int>(width * height, 84), 255));
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"1", "3"}));
+  EXPECT_EQ(result.dropped, 2);
+  ASSERT_EQ(stream.heard.texts.size(), 2u);
+  EXPECT_EQ(stream.heard.texts[0], "take a, frame 2: it is 56 x 48 pixels, expected 64 x 48 as the others; left out");
+  EXPECT_EQ(stream.heard.texts[1],
+            "take a, frame 4: 4.pgm has 8 bits per pixel, expected 16 bits or an EXR: 256 steps are too few for depth; "
+            "left out");
 }
 
 TEST(DepthTake, NamesWrongIntrinsics) {
