@@ -34,7 +34,7 @@ std::uint8_t level(double grey) { return static_cast<std::uint8_t>(std::clamp(st
 }  // namespace
 
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
-                               const DepthScan& frame) {
+                               const DepthScan& frame, const DepthScan* seen) {
   check_scan(reference, "reference");
   check_scan(frame, "frame");
   check(mesh.uvs.size() == mesh.points_mm.size(), "mesh has ", mesh.uvs.size(), " uvs, expected one for each of its ",
@@ -42,6 +42,10 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
   check(shape.points_mm.size() == mesh.points_mm.size(), "shape has ", shape.points_mm.size(), " points, the mesh ",
         mesh.points_mm.size());
   const int width = frame.picture.width, height = frame.picture.height;
+  const Image& picture = seen ? seen->picture : frame.picture;
+  if (seen) check_scan(*seen, "seen");
+  check(picture.width == width && picture.height == height, "seen is ", picture.width, " x ", picture.height,
+        " pixels, frame ", width, " x ", height);
   const std::vector<render::ScreenPoint> screen = render::project(frame.camera, shape.points_mm);
   const render::Triangulation cut = render::triangulate(mesh);
   const render::Raster raster = render::rasterize(screen, cut.triangles, {.width_px = width, .height_px = height});
@@ -49,7 +53,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
   result.drawn = result.picture = result.mask = {width, height, 1, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      result.picture.pixels.push_back(level(grey_of(frame.picture, x, y)));
+      result.picture.pixels.push_back(level(grey_of(picture, x, y)));
       const std::int32_t triangle = raster.triangles[raster.index(x, y)];
       result.mask.pixels.push_back(triangle >= 0 ? 255 : 0);
       if (triangle < 0) {

@@ -17,8 +17,8 @@ struct DrawTextureResult {
 // grey of the reference's picture there, bilinear. Where the shape is right and light does not change, it is the
 // frame's own picture (evaluate.texture_consistency tells how nearly). mesh: of model.scan_mesh, whose uvs are places
 // in the reference's picture; shape: its vertices in the frame, in the world of frame's camera (model.sample_scan's, of
-// align.orient's aligned scans).
+// align.orient's aligned scans). seen: the same frame with another picture, to compare with that; null = frame's own.
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
-                               const DepthScan& frame);
+                               const DepthScan& frame, const DepthScan* seen = nullptr);
 
 }  // namespace face::transfer

@@ -9,6 +9,7 @@ NODE("transfer.draw_texture", &draw_texture, version{1}, doc{"The reference's te
      input{"mesh", "Polygons, from model.scan_mesh"}, input{"reference", "The reference scan, whose picture is drawn"},
      input{"shape", "Where the vertices are in the frame, from model.sample_scan"},
      input{"frame", "The frame's scan, aligned with the reference"},
+     input{"seen", "The same frame with the picture to compare with; unconnected: its own"},
      output("drawn", &DrawTextureResult::drawn, "The reference's texture as the frame's camera sees it"),
      output("picture", &DrawTextureResult::picture, "The frame's own picture"),
      output("mask", &DrawTextureResult::mask, "White where the face is drawn"));

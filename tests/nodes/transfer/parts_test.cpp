@@ -421,4 +421,9 @@ TEST(DrawTexture, RejectsAShapeOfAnotherMesh) {
   scan.depth_mm.assign(16, 50);
   const Mesh mesh = model::scan_mesh(scan);
   EXPECT_THROW_TEXT(draw_texture(mesh, scan, {}, scan), "shape has 0 points, the mesh 4");
+  DepthScan other = scan;
+  other.picture = {2, 8, 1, std::vector<std::uint8_t>(16, 7)};
+  EXPECT_THROW_TEXT(draw_texture(mesh, scan, {mesh.points_mm}, scan, &other), "seen is 2 x 8 pixels, frame 4 x 4");
+  other.picture = {4, 4, 1, std::vector<std::uint8_t>(16, 7)};
+  EXPECT_EQ(draw_texture(mesh, scan, {mesh.points_mm}, scan, &other).picture.pixels, other.picture.pixels);
 }
