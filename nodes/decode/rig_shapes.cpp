@@ -142,9 +142,12 @@ void ShapeCollector::finish(const std::string& title, Rig& rig, bool speaks) con
   for (const Shape& shape : shapes_) found.push_back(shape.name);
   for (const std::string_view needed : needed_shapes)
     if (std::find(found.begin(), found.end(), needed) == found.end()) lacking.emplace_back(needed);
+  const bool strange =
+      std::any_of(found.begin(), found.end(), [](const std::string& name) { return arkit_index(name) == arkit_count; });
   if (speaks && !lacking.empty())
     fail(title, ": lacks the shapes ", joined(lacking), "; a rig needs ", joined(needed_shapes), ". Found ",
-         found.empty() ? "no shapes" : joined(found));
+         found.empty() ? "no shapes" : joined(found),
+         strange ? "; names that are not ARKit's are mapped by a file, which facegraph doctor proposes" : "");
 
   rig.shapes.assign(arkit_count, {});
   for (std::size_t s = 0; s < arkit_count; ++s) rig.shapes[s].name = arkit_names[s];
