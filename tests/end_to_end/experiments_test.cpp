@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sweeps, comparisons, pictures and reports, as a person asks for them.
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/command.h"
@@ -343,71 +342,6 @@ zpty -d z
   const test::Ended ended = wait(start({path("complete.zsh")}, "/usr/bin/zsh"));
   EXPECT_EQ(test::lines_of(ended.output).size(), 5u) << ended.output;
   EXPECT_EQ(ended.output.find("no "), std::string::npos) << ended.output;
-}
-
-// The commands that a guide gives, as they stand there: lines of its plain blocks that begin with one of these words.
-class Guides : public test::CommandTest {
- protected:
-  // `more`: what is run behind a line that is this one.
-  test::Ended follow(const std::string& name, std::size_t fewest, const std::map<std::string, std::string>& more = {}) {
-    std::filesystem::create_directory_symlink(std::string(FACEGRAPH_SOURCE_DIR) + "/graphs", folder() / "graphs");
-    const std::string guide = test::read_file(std::string(FACEGRAPH_SOURCE_DIR) + "/docs/" + name);
-    std::string script = "export HOME=" + path("home") + " FACEGRAPH_STORE=" + path("store") +
-                         "\nset -e\nmkdir -p ~/.zfunc\nfacegraph() { " FACEGRAPH_COMMAND " \"$@\"; }\n";
-    std::size_t commands = 0;
-    bool inside = false, plain = false;
-    for (const std::string& line : test::lines_of(guide)) {
-      if (line.starts_with("```")) {
-        plain = !inside && line == "```";
-        inside = !inside;
-        continue;
-      }
-      bool command = false;
-      for (const char* start : {"facegraph ", "echo ", "source ", "cp ", "cd ", "  --"})
-        command |= line.starts_with(start);
-      if (!inside || !plain || !command) continue;
-      script += line + "\n";
-      if (const auto behind = more.find(line); behind != more.end()) script += behind->second + "\n";
-      ++commands;
-    }
-    EXPECT_GE(commands, fewest);
-    write("guide.sh", script);
-    return wait(start({path("guide.sh")}, "/bin/bash"));
-  }
-};
-
-TEST_F(Guides, ExperimentsRun) {
-  const test::Ended ended = follow("experiments.md", 14);
-  EXPECT_EQ(ended.code, 0) << ended.output;
-  for (const char* made :
-       {"sweep/sweep.csv", "compare.html", "talk.html", "talk.svg", "talk.dot", "mine/talk.json", "checked/names.json"})
-    EXPECT_TRUE(exists(made)) << made;
-  EXPECT_NE(ended.output.find("speak.worst_closure_mm"), std::string::npos);
-  EXPECT_NE(ended.output.find("talk.glb\n  content: differs; head; mean_mm 0"), std::string::npos) << ended.output;
-}
-
-TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
-  write("say.json", R"({"facegraph": 1, "params": {"text": {"type": "path", "default": "script.txt"}}, "nodes": {
-    "script": {"node": "decode.text", "inputs": {"file": "${text}"}},
-    "say": {"node": "speech.say", "inputs": {"text": "script"}},
-    "wav": {"node": "export.wav", "inputs": {"audio": "say.audio"}}}, "outputs": {"line.wav": "wav"}})");
-  write("script.txt", "My name is Bob, and I move my mouth.");
-  ASSERT_EQ(command({"run", "say.json", "--out", ".", "--quiet"}).code, 0);
-  const test::Ended ended = follow("first-hour.md", 12, {{"cd mine", "cp ../line.wav ."}});
-  EXPECT_EQ(ended.code, 0) << ended.output;
-  for (const char* made : {"mine/first/talk.mp4", "mine/out/talk.glb", "mine/frames/talk.usda",
-                           "mine/frames/talk/0.obj", "mine/sweep/sweep.csv", "mine/compare.html", "mine/report.html"})
-    EXPECT_TRUE(exists(made)) << made;
-  EXPECT_NE(ended.output.find("head.glb: 52 shapes; 52 of ARKit's 52 are there"), std::string::npos) << ended.output;
-}
-
-TEST_F(Guides, ASweepAndAReportOfEachSystemRun) {
-  const test::Ended ended = follow("systems.md", 11);
-  EXPECT_EQ(ended.code, 0) << ended.output;
-  for (const char* name : {"speech", "video", "scans", "laser", "pictures"}) {
-    EXPECT_TRUE(exists(std::string(name) + "/sweep.csv")) << name;
-    EXPECT_TRUE(exists(std::string(name) + ".html")) << name;
-  }
 }
 
 // Graphs that compare or check files are valid, as those of graphs/ are.
