@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/end_to_end/command.h"
@@ -17,10 +19,13 @@ namespace fs = std::filesystem;
 
 class ScanStream : public test::CommandTest {
  protected:
-  void SetUp() override {
+  void SetUp() override { record(160, 120); }
+
+  void record(int width_px, int height_px) const {
     write("sentences/1.txt", "Five.\n");
     const Ended ended = command({"run", graph("scan_stream/record.json"), "--quiet", "--set", "sentences=sentences",
-                                 "--set", "width_px=160", "--set", "height_px=120", "--out", "stream"});
+                                 "--set", "width_px=" + std::to_string(width_px), "--set",
+                                 "height_px=" + std::to_string(height_px), "--out", "stream"});
     ASSERT_EQ(ended.code, 0) << ended.output;
   }
 
@@ -83,6 +88,58 @@ TEST_F(ScanStream, OneFramesThresholdRerunsThatFrameAlone) {
               ended.output.find("\n2 run, ") != std::string::npos || ended.output.starts_with("1 run, ") ||
               ended.output.starts_with("2 run, "))
       << ended.output;
+}
+
+// With the whole way to the model behind it. The reference is given: another one would be another model.
+class ScanModel : public ScanStream {
+ protected:
+  void SetUp() override { record(320, 240); }
+
+  // Tasks that ran, by node.
+  std::map<std::string, int> learn(const nlohmann::json& overrides) const {
+    using Json = nlohmann::json;
+    Json model = Json::parse(test::read_file(graph("scan_stream/model.json")), nullptr, true, true);
+    model.erase("inputs");
+    model["params"]["scans"]["type"] = "path";
+    model["params"]["every"]["default"] = 1;
+    model["params"]["components"]["default"] = 5;
+    model["params"]["marker_radius_px"]["default"] = 1.6;
+    model["params"]["reference"]["default"] = "1.12";
+    Json& nodes = model["nodes"];
+    nodes["takes"] = {{"node", "decode.list_takes"}, {"inputs", {{"folder", "${scans}"}}}};
+    nodes["scan"] = {{"node", "decode.depth_take"}, {"inputs", {{"folder", "${scans}"}, {"take", "takes"}}}};
+    nodes["report"] = {{"node", "export.text"}, {"inputs", {{"text", "scan.report"}}}};
+    nodes["found"]["inputs"]["scans"] = "scan.scans";
+    nodes["track"]["inputs"]["scan"] = nodes["mouth"]["inputs"]["scan"] = "scan.scans";
+    nodes["mouth"]["overrides"] = overrides;
+    model["outputs"] = {{"report.txt", "report"}};
+    write("learn.json", model.dump());
+    const Ended ended =
+        command({"run", "learn.json", "--set", "scans=stream", "--to", "coefficients", "--events", "events.ndjson"});
+    EXPECT_EQ(ended.code, 0) << ended.output;
+    std::map<std::string, int> tasks;
+    for (const std::string& line : test::lines_of(read("events.ndjson"))) {
+      const nlohmann::json event = nlohmann::json::parse(line);
+      if (event["event"] == "finished") ++tasks[event["node"]];
+    }
+    return tasks;
+  }
+};
+
+TEST_F(ScanModel, OneFramesThresholdRerunsItsChainAndTheModel) {
+  const int frames = static_cast<int>(names("stream/depth/1").size());
+  std::map<std::string, int> first = learn(nlohmann::json::object());
+  EXPECT_EQ(first["flow"], frames);
+  EXPECT_EQ(first["coefficients"], frames);
+  const nlohmann::json put_right = {{"1/11", {{"threshold_mm", 3.0}}}};
+  const std::map<std::string, int> again = learn(put_right);
+  for (const auto& [node, count] : again) EXPECT_LE(count, node == "coefficients" ? frames : 1) << node;
+  EXPECT_TRUE(again.contains("mouth"));
+  EXPECT_TRUE(again.contains("flow"));
+  EXPECT_TRUE(again.contains("space"));
+  EXPECT_FALSE(again.contains("track"));
+  EXPECT_FALSE(again.contains("scan"));
+  EXPECT_TRUE(learn(put_right).empty());
 }
 
 TEST_F(ScanStream, ACameraFileThatCannotBeStopsTheRun) {
