@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A node's declaration and the C++ that it declares have the same names; every node has a doc and a test.
+#include <algorithm>
 #include <regex>
 
 #include "tests/arch/source_tree.h"
@@ -67,10 +68,29 @@ struct Declaration {
   std::vector<Name> inputs, params, member_outputs, whole_outputs;
 };
 
+// A declaration's text with the words put in that its own headers define, such as parameters that two nodes share.
+std::string with_definitions(const std::string& file) {
+  std::string text = without_comments(text_of(file));
+  for (const Include& include : includes_of(file)) {
+    if (include.angled || include.file == "engine/node.h") continue;
+    const std::string header = without_comments(text_of(include.file));
+    const std::regex define("#define ([A-Z_]+)[ ]+((?:[^\n]*\\\\\n)*[^\n]*)");
+    for (std::sregex_iterator at(header.begin(), header.end(), define), end; at != end; ++at) {
+      std::string body = (*at)[2];
+      std::replace(body.begin(), body.end(), '\\', ' ');
+      const std::string word = (*at)[1];
+      for (std::size_t place = text.find(word); place != std::string::npos;
+           place = text.find(word, place + body.size()))
+        text.replace(place, word.size(), body);
+    }
+  }
+  return text;
+}
+
 Declaration declaration_of(const std::string& file) {
   Declaration found;
   found.file = file;
-  const std::string text = without_comments(text_of(file));
+  const std::string text = with_definitions(file);
   std::smatch match;
   const std::regex head("NODE\\(\\s*\"([^\"]*)\"\\s*,\\s*&([\\w:]+)");
   EXPECT_TRUE(std::regex_search(text, match, head)) << file << ":1: no NODE(\"name\", &function, ...)";
