@@ -28,6 +28,11 @@ constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  
 constexpr double overlap_sigma_mm = 0.3, closed_sigma_mm = 0.1;
 constexpr double narrow_gap_mm = 3;     // up to which an open mouth is doubted
 constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
+// Made persons come out within 0.005 of their pictures, photographs within 0.02: the rest is what no component
+// explains, and shape must not bend to explain it. From explained on, points and priors of the shape gain what pixels
+// lose in a proper likelihood, up to most_doubt times; light and albedo stay free.
+constexpr double explained = 0.01, most_doubt = 4;
+constexpr double huber = 2.5;  // sigmas from which an error of a point counts linearly only
 constexpr int closing_steps = 8;
 constexpr int light_steps = 6;
 
@@ -37,8 +42,7 @@ struct Stage {
   double eyes_px, landmark_weight, image_share;
   double points, steps;  // factors of the options
 };
-constexpr Stage stages[] = {
-    {28, 1.0, 0.3, 1, 1}, {55, 0.5, 0.7, 1, 1}, {110, 0.2, 1.0, 1, 1}, {160, 0.02, 1.0, 4, 1.5}};
+constexpr Stage stages[] = {{28, 1.0, 0.3, 1, 1}, {55, 0.5, 0.7, 1, 1}, {110, 0.2, 1.0, 1, 1}, {160, 0.2, 1.0, 4, 1.5}};
 
 struct Normal {
   Eigen::MatrixXd a;
@@ -46,7 +50,7 @@ struct Normal {
 };
 
 // Adds one picture's pixels. Columns of the picture's own follow the shared ones.
-void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level, double share, Random& random,
+void add_pixels(Joint& joint, std::size_t index, const PictureLevel& level, double share, Random& random,
                 Normal& normal) {
   const PixelColumns columns = joint.columns();
   const PixelRows rows =
@@ -57,6 +61,7 @@ void add_pixels(const Joint& joint, std::size_t index, const PictureLevel& level
   // The larger the differences, the more of them is what no coefficients explain; that is alike over whole regions, so
   // the picture counts as fewer independent points.
   const double noise = found.noise;
+  joint.pictures[index].doubt = std::clamp(std::pow(found.median / explained, 2), 1.0, most_doubt);
   const double trust = (least_noise / noise) * (least_noise / noise);
   const double weight = share * trust * joint.options.image_weight / found.points / (noise * noise);
   const auto width = static_cast<Eigen::Index>(rows.columns);
@@ -89,7 +94,7 @@ void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& norma
     for (std::size_t k = 0; k < joint.basis.expressions; ++k)
       row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
     const double error = std::abs(rows.residual_px[i]) / sigma;
-    const double w = weight * (error > 2.5 ? 2.5 / error : 1.0) / (sigma * sigma);
+    const double w = picture.doubt * weight * (error > huber ? huber / error : 1.0) / (sigma * sigma);
     normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     normal.b -= row * (w * rows.residual_px[i]);
   }
@@ -101,22 +106,26 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
     normal.a(column, column) += 1 / (sigma * sigma);
     normal.b[column] -= value / (sigma * sigma);
   };
+  double doubt = 0;
+  for (const Picture& picture : joint.pictures) doubt += picture.doubt / static_cast<double>(joint.pictures.size());
   for (std::size_t k = 0; k < joint.identity.size(); ++k)
-    add(static_cast<Eigen::Index>(k), joint.identity[k], joint.model->identity.sigmas[k]);
+    add(static_cast<Eigen::Index>(k), joint.identity[k], joint.model->identity.sigmas[k] / std::sqrt(doubt));
   for (std::size_t k = 0; k < joint.albedo.size(); ++k)
     add(static_cast<Eigen::Index>(joint.basis.identities + k), joint.albedo[k], joint.model->albedo.sigmas[k]);
   for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
     const Picture& picture = joint.pictures[m];
     const auto first = static_cast<Eigen::Index>(joint.shared() + m * joint.own());
+    const double narrower = 1 / std::sqrt(picture.doubt);
     // The turn, place and size are held near the present ones only: their start is no prior knowledge.
     for (Eigen::Index k = 0; k < 3; ++k) add(first + k, 0, turn_sigma);
     add(first + 3, 0, place_sigma_px);
     add(first + 4, 0, place_sigma_px);
     add(first + 5, 0, scale_sigma);
-    add(first + 6, picture.state.pose.log_focal - picture.log_focal, focal_sigma);
+    add(first + 6, picture.state.pose.log_focal - picture.log_focal, focal_sigma * narrower);
     const Eigen::Index expression = first + FacePose::size;
     for (std::size_t k = 0; k < joint.basis.expressions; ++k)
-      add(expression + static_cast<Eigen::Index>(k), picture.state.expression[k], joint.model->expression.sigmas[k]);
+      add(expression + static_cast<Eigen::Index>(k), picture.state.expression[k],
+          joint.model->expression.sigmas[k] * narrower);
     for (const std::vector<double>& row : joint.gaps) {
       const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(joint.basis.expressions));
       double gap = 0;
@@ -124,7 +133,7 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
       const double sigma = picture.closed ? closed_sigma_mm : gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
       const double wide = gap / sigma;
       const double weight =
-          1 / (sigma * sigma) /
+          picture.doubt / (sigma * sigma) /
           (picture.closed || gap < 0 ? 1.0 : static_cast<double>(joint.gaps.size()) * (1 + wide * wide));
       normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
       normal.b.segment(expression, g.size()) -= weight * gap * g;
@@ -191,6 +200,22 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
   apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
 }
 
+// Robust squared distance of a picture's points to where the model has them, in sigmas.
+double point_cost(const Joint& joint, std::size_t index) {
+  const Picture& picture = joint.pictures[index];
+  LandmarkBasis basis = picture.landmarks;
+  const std::vector<Vec3f> points = posed(basis, joined(joint.identity, picture.state.expression));
+  assign_contours(points, picture.state.pose, basis);
+  const LandmarkRows rows = landmark_rows(basis, points, picture.state.pose);
+  const double sigma = joint.options.point_sigma * eye_distance_px(basis, points, picture.state.pose);
+  double cost = 0;
+  for (const double residual : rows.residual_px) {
+    const double error = std::abs(residual) / sigma;
+    cost += error > huber ? huber * (2 * error - huber) : error * error;
+  }
+  return cost;
+}
+
 // A slightly open mouth may be a closed one with lips of another colour: where closing it costs next to nothing, it is
 // closed.
 void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, Random& random, Joint& joint) {
@@ -207,8 +232,11 @@ void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, R
   }
   if (!any) return;
   for (int i = 0; i < closing_steps; ++i) step(closed, levels, stage, false, random);
+  const double evidence = FitLandmarksOptions{}.mouth_evidence;
   for (std::size_t m = 0; m < joint.pictures.size(); ++m)
-    if (closed.pictures[m].closed && image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]))
+    if (closed.pictures[m].closed &&
+        (image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]) ||
+         point_cost(closed, m) > point_cost(joint, m) + evidence))
       return;
   joint = std::move(closed);
 }

@@ -20,6 +20,7 @@ struct Picture {
   std::array<double, 7> start_pose{};
   double log_focal = 7;
   double eyes_px = 100;
+  double doubt = 1;     // weight of points and priors over what they have where the model explains the picture
   bool closed = false;  // the mouth is held closed
 };
 

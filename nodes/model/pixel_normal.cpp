@@ -2,6 +2,7 @@
 #include "nodes/model/pixel_normal.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "nodes/model/robust_weights.h"
 
@@ -10,7 +11,8 @@ namespace face::model {
 PixelNormal pixel_normal(const PixelRows& rows) {
   using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   PixelNormal normal;
-  const std::vector<float> weights = robust_weights(rows.residual, normal.noise);
+  const std::vector<float> weights = robust_weights(rows.residual, normal.median);
+  normal.noise = std::max(least_noise, normal.median);
   const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
   RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);
   Eigen::VectorXf r = Eigen::Map<const Eigen::VectorXf>(rows.residual.data(), n);

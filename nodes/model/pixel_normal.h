@@ -12,7 +12,8 @@ namespace face::model {
 struct PixelNormal {
   std::vector<double> a;  // columns x columns
   std::vector<double> b;  // columns
-  double noise = 0;       // median length of a residual, at least least_noise
+  double median = 0;      // length of a residual
+  double noise = 0;       // the same, at least least_noise
   double points = 0;
 };
 PixelNormal pixel_normal(const PixelRows& rows);

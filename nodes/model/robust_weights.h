@@ -10,8 +10,8 @@ namespace face::model {
 inline constexpr double least_noise = 0.02;  // of a pixel, as a share of the scale: no model is better
 
 // Root weights of pixel residuals (three per point), one per point: Geman and McClure's kernel at the noise of this
-// very set, the median length of a residual.
-inline std::vector<float> robust_weights(const std::vector<float>& residual, double& noise) {
+// very set, the median length of a residual, or least_noise where that is more. median: that length.
+inline std::vector<float> robust_weights(const std::vector<float>& residual, double& median) {
   std::vector<float> lengths(residual.size() / 3);
   for (std::size_t i = 0; i < lengths.size(); ++i)
     lengths[i] = std::sqrt((residual[3 * i] * residual[3 * i] + residual[3 * i + 1] * residual[3 * i + 1] +
@@ -20,8 +20,8 @@ inline std::vector<float> robust_weights(const std::vector<float>& residual, dou
   std::vector<float> sorted = lengths;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  noise = std::max(least_noise, sorted.empty() ? 0.0 : static_cast<double>(*middle));
-  const auto scale = static_cast<float>(2.5 * noise);
+  median = sorted.empty() ? 0.0 : static_cast<double>(*middle);
+  const auto scale = static_cast<float>(2.5 * std::max(least_noise, median));
   for (float& length : lengths) {
     const float u = length / scale;
     length = 1.0f / (1.0f + u * u);

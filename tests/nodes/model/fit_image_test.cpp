@@ -53,6 +53,24 @@ TEST(FitImage, FindsPoseAndAClosedMouthOfAPersonOutsideTheModel) {
   }
 }
 
+// Lighter and darker bands that no component of the model has, as real skin, make-up and shadows of hair are.
+TEST(FitImage, DoesNotBendTheShapeToExplainWhatNoComponentExplains) {
+  Shot shot = shoot(31, 0);
+  for (int y = 0; y < 480; ++y)
+    for (int x = 0; x < 480; ++x)
+      for (int c = 0; c < 3; ++c) {
+        std::uint8_t& value = shot.picture.pixels[static_cast<std::size_t>((y * 480 + x) * 3 + c)];
+        const double band = 1 + 0.12 * std::sin(0.21 * x + 0.05 * y) * std::sin(0.17 * y - 0.09 * x);
+        value = static_cast<std::uint8_t>(std::clamp(value * band, 0.0, 255.0));
+      }
+  const FaceFit fit = fit_image(test::head_model(), shot.picture, shot.points);
+  EXPECT_TRUE(fit.converged) << fit.problem;
+  double squares = 0;
+  for (const float c : fit.identity) squares += static_cast<double>(c) * c / static_cast<double>(fit.identity.size());
+  EXPECT_LT(std::sqrt(squares), 1.0);  // coefficients are in standard deviations
+  EXPECT_LT(std::abs(fit.lip_gap_mm), 1.5);
+}
+
 TEST(FitImage, IsTheSameTwice) {
   const Shot shot = shoot(33, -15);
   const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points, {.steps = 3});
