@@ -17,6 +17,7 @@ constexpr Vec3f usual_skin_srgb = {0.80f, 0.62f, 0.53f};
 
 MorphableModel add_albedo(const MorphableModel& model, const AddAlbedoOptions& options) {
   check_mesh(model.mean);
+  check(!model.mean.points_mm.empty() && model.mean.polygon_starts.size() > 1, "the model has no polygons");
   const std::size_t vertices = model.mean.points_mm.size();
   check(model.mean_albedo.empty() || model.mean_albedo.size() == vertices, "the model has the albedo of ",
         model.mean_albedo.size(), " vertices, expected ", vertices);

@@ -48,6 +48,8 @@ TEST(AddAlbedo, KeepsWhatIsThere) {
   EXPECT_EQ(model.albedo.size(), 6u);
 }
 
+TEST(AddAlbedo, RejectsAModelWithoutPolygons) { EXPECT_THROW_TEXT(add_albedo({}), "the model has no polygons"); }
+
 TEST(AddAlbedo, RejectsAlbedoOfOtherVertices) {
   MorphableModel model = without_albedo();
   model.mean_albedo.resize(3);
