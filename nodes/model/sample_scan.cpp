@@ -49,30 +49,6 @@ double grey_at(const Image& picture, double x, double y) {
   return (grey(x0, y0) * (1 - fx) + grey(x1, y0) * fx) * (1 - fy) + (grey(x0, y1) * (1 - fx) + grey(x1, y1) * fx) * fy;
 }
 
-// Forgets displacements in depth (along `axis`) that are more than step_mm from the median of the square of 5 x 5 about
-// them.
-void forget_outliers(const std::vector<std::array<double, 4>>& moved, std::vector<double>& known, int columns, int rows,
-                     const std::array<double, 3>& axis, double step_mm) {
-  const auto depth = [&](std::size_t i) {
-    return axis[0] * moved[i][0] + axis[1] * moved[i][1] + axis[2] * moved[i][2];
-  };
-  const std::vector<double> before = known;
-  std::vector<double> around;
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) {
-      const auto i = static_cast<std::size_t>(r * columns + c);
-      if (before[i] == 0) continue;
-      around.clear();
-      for (int y = std::max(r - 2, 0); y <= std::min(r + 2, rows - 1); ++y)
-        for (int x = std::max(c - 2, 0); x <= std::min(c + 2, columns - 1); ++x)
-          if (before[static_cast<std::size_t>(y * columns + x)] > 0)
-            around.push_back(depth(static_cast<std::size_t>(y * columns + x)));
-      const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-      std::nth_element(around.begin(), middle, around.end());
-      if (std::fabs(depth(i) - *middle) > step_mm) known[i] = 0;
-    }
-}
-
 // Values on a grid (4 numbers per node), known where weight is 1; fills the rest: means of coarser levels, then
 // smoothed by 30 sweeps of averaging among the filled.
 void fill(std::vector<std::array<double, 4>>& values, std::vector<double>& weight, int columns, int rows) {
@@ -190,9 +166,6 @@ SampleScanResult sample_scan(const DepthScan& reference, const DepthScan& target
     known[g] = 1;
     ++sampled;
   }
-  const auto& turn = reference.camera.cam_from_world;
-  forget_outliers(moved, known, grid.columns, grid.rows,
-                  {static_cast<double>(turn[6]), static_cast<double>(turn[7]), static_cast<double>(turn[8])}, 2.5);
   if (sampled > 0) fill(moved, known, grid.columns, grid.rows);
   SampleScanResult result;
   result.sampled = grid.at.empty() ? 0 : sampled / static_cast<double>(grid.at.size());

@@ -29,11 +29,9 @@ struct SampleScanResult {
 };
 
 // Samples a scan in correspondence with a reference (Bargmann, Blanz and Seidel, Eqs. 5 and 6): vertex by vertex of
-// scan_mesh, the depth and grey at where the flow says, bilinear. A vertex whose flow is not valid, that finds no
-// depth, or whose depth changes by 2.5 mm more or less than the median of the 5 x 5 about it (at the edge of the lips,
-// where a tooth is found in their place) is displaced as its neighbours are (the harmonic continuation of their
-// displacement over the reference's grid, found from coarse to fine). target: aligned, so that its world is the
-// reference's. options: as of scan_mesh.
+// scan_mesh, the depth and grey at where the flow says, bilinear. A vertex whose flow is not valid, or that finds no
+// depth, is displaced as its neighbours are (the harmonic continuation of their displacement over the reference's grid,
+// found from coarse to fine). target: aligned, so that its world is the reference's. options: as of scan_mesh.
 SampleScanResult sample_scan(const DepthScan& reference, const DepthScan& target, const FlowField& flow,
                              const ScanMeshOptions& options = {});
 

@@ -276,22 +276,6 @@ TEST(SampleScan, MovesVerticesWithTheFlowAndFillsWhatIsMissing) {
   EXPECT_LT(result.sampled, 1);
 }
 
-TEST(SampleScan, LeavesOutATeethsDepthAtTheEdgeOfTheLips) {
-  DepthScan reference;
-  reference.camera.focal_px = 100;
-  reference.camera.position_mm = {0, 0, 100};
-  reference.camera.centre_x_px = reference.camera.centre_y_px = 15.5f;
-  reference.picture = {32, 32, 1, std::vector<std::uint8_t>(32 * 32, 90)};
-  reference.depth_mm.assign(32 * 32, 100);
-  DepthScan target = reference;
-  for (const int x : {14, 16, 18}) target.depth_mm[static_cast<std::size_t>(16 * 32 + x)] = 106;
-  const FlowField still{32, 32, std::vector<Vec2f>(32 * 32, {0, 0}), std::vector<std::uint8_t>(32 * 32, 1)};
-  for (const Vec3f& p : sample_scan(reference, target, still).shape.points_mm) EXPECT_NEAR(p[2], 0, 1e-4);
-  // What moves together is no tooth.
-  target.depth_mm.assign(32 * 32, 106);
-  for (const Vec3f& p : sample_scan(reference, target, still).shape.points_mm) EXPECT_NEAR(p[2], -6, 1e-4);
-}
-
 TEST(SampleScan, RejectsAFlowOfAnotherSize) {
   DepthScan scan;
   scan.picture = {4, 4, 1, std::vector<std::uint8_t>(16, 0)};
