@@ -19,7 +19,15 @@ struct Guide {
   Instead instead = {};
   std::string graphs = "graphs";  // where graphs that it shows as JSON are written, and what they need besides
   std::string graph_settings = "";
+  bool planned = false;  // runs are laid out and not run
 };
+
+// The same command, laid out only: graph, files and parameters are looked at.
+std::string plan_of(std::string command) {
+  command = std::regex_replace(command, std::regex(" *(--out|-o) +\\S+"), "");
+  command = std::regex_replace(command, std::regex("^facegraph run "), "facegraph plan ");
+  return std::regex_replace(command, std::regex("^facegraph get +(\\S+) +\\S+"), "facegraph plan $1");
+}
 
 // What a guide has, in its order: lines of its plain blocks, spans of its text that are commands, and its JSON blocks.
 class Reader {
@@ -62,6 +70,7 @@ class Reader {
       used_.insert(typed);
     }
     if (what.empty()) return;
+    if (guide_.planned) what = plan_of(what);
     script_ += what + "\n";
     ++commands_;
   }
@@ -99,7 +108,9 @@ class Reader {
   void json(const std::vector<std::string>& block, const std::string& paragraph) {
     std::string text;
     for (const std::string& line : block) text += line + "\n";
-    const auto value = nlohmann::json::parse(text, nullptr, false, true);
+    auto value = nlohmann::json::parse(text, nullptr, false, true);
+    if (value.is_discarded())
+      value = nlohmann::json::parse("{" + text + "}", nullptr, false, true);  // part of an object
     EXPECT_FALSE(value.is_discarded()) << guide_.file << ": no JSON:\n" << text;
     if (!value.is_object() || (!value.contains("extends") && !value.contains("nodes"))) return;
     std::smatch name;
@@ -228,6 +239,74 @@ TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
   for (const char* made : {"mine/first/talk.mp4", "mine/out/talk.glb", "mine/frames/talk.usda",
                            "mine/frames/talk/0.obj", "mine/sweep/sweep.csv", "mine/compare.html", "mine/report.html"})
     EXPECT_TRUE(exists(made)) << made;
+}
+
+// What takes minutes, or pictures and scans that only a reader has, is laid out: graphs, files and settings are there.
+TEST_F(Guides, CommandsOfTheOtherPagesFitTheirGraphs) {
+  for (const char* file : {"sfm_shape_3448.bin",
+                           "expression_blendshapes_3448.bin",
+                           "clip.mpg",
+                           "clip.mp4",
+                           "clip.txt",
+                           "clip.landmarks.json",
+                           "clip.points.json",
+                           "clip.phones.json",
+                           "fix.json",
+                           "line.txt",
+                           "line.wav",
+                           "portrait.png",
+                           "portrait.landmarks.json",
+                           "model.npz",
+                           "points.npy",
+                           "basis.npy",
+                           "targets.npy",
+                           "means.npy",
+                           "variances.npy",
+                           "reference.npy",
+                           "examples.npy",
+                           "faces.npy",
+                           "weights.npy",
+                           "takes/one.wav",
+                           "takes/one.txt",
+                           "stream/depth/one/0.png",
+                           "stream/sound/one.wav",
+                           "FaceXModel/generic_neutral_mesh.obj"})
+    write(file, "");
+  write("FOLDER/0.json", "");
+  const std::string talk = "facegraph plan graphs/speech/talk.json --set text=line.txt";
+  const std::string face =
+      "facegraph plan graphs/laser_scan/track.json --set video=clip.mp4 --set points=clip.landmarks.json "
+      "--set rig=FaceXModel";
+  const std::string film = "facegraph plan graphs/phantom/video.json";
+  const std::string map =
+      "facegraph plan graphs/video_to_mesh/speak.json --set video=clip.mpg --set points=clip.landmarks.json "
+      "--set text=clip.txt --set new_text=line.txt";
+  const std::string track =
+      "facegraph plan graphs/video_to_mesh/track.json --set video=clip.mpg --set points=clip.landmarks.json";
+  const std::string any = "facegraph plan graphs/phantom/scan_stream.json";
+  const std::vector<std::pair<Guide, std::size_t>> pages = {
+      {{.file = "docs/tracking.md",
+        .settings = track,
+        .instead =
+            {{"facegraph annotate --clip clip.mpg --points lips18 --out page.html", "facegraph annotate --help"},
+             {"facegraph annotate --clip clip.mpg --start clip.landmarks.json --corrections fix.json --out again.html",
+              "facegraph annotate --help"}}},
+       6},
+      {{.file = "docs/speech.md", .settings = talk}, 10},
+      {{.file = "docs/scan-streams.md", .settings = any}, 7},
+      {{.file = "docs/video-to-mesh.md", .settings = map, .instead = {{"--set smoothness", ""}}}, 4},
+      {{.file = "docs/morphable-model.md", .settings = face, .instead = {{"facegraph get graph.json fit", face}}}, 3},
+      {{.file = "docs/speech-to-video.md", .settings = any}, 5},
+      {{.file = "docs/phantom.md",
+        .settings = film,
+        .instead = {{"facegraph get graph.json 'scan.scan[1/17]' -o scan.json", any}}},
+       3},
+      {{.file = "docs/metrics.md", .settings = talk}, 1},
+      {{.file = "docs/solvers.md", .settings = any}, 4}};
+  for (auto [guide, fewest] : pages) {
+    guide.planned = true;
+    follow(guide, fewest);
+  }
 }
 
 TEST_F(Guides, ASweepAndAReportOfEachSystemRun) {
