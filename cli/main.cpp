@@ -41,8 +41,9 @@ cli::CommandTree tree_of(const CLI::App& app) {
 }  // namespace
 
 int main(int count, char** words) {
-  // Large values come and go: their memory shall go back to the system.
-  ::mallopt(M_MMAP_THRESHOLD, 16 << 20);
+  // Large values come and go: their memory shall go back to the system. More than a megabyte has to come from there,
+  // all zero: with blocks that were used before, x264 encodes the same pictures otherwise from run to run.
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
 
   CLI::App app{"Facegraph: runs a graph of nodes, and of it only what has changed."};
@@ -120,7 +121,8 @@ int main(int count, char** words) {
   cache_command->require_subcommand(1);
   CLI::App* cache_stat = cache_command->add_subcommand("stat", "How much it holds");
   CLI::App* cache_gc = cache_command->add_subcommand("gc", "Remove what was not used for longest");
-  cache_gc->add_option("--max-size", cache.max_size, "Keep at most this much (default: the store's limit)")->type_name("SIZE");
+  cache_gc->add_option("--max-size", cache.max_size, "Keep at most this much (default: the store's limit)")
+      ->type_name("SIZE");
   cache_gc->add_option("--max-age-days", cache.max_age_days, "Remove what is older")->check(CLI::PositiveNumber);
   CLI::App* cache_pin = cache_command->add_subcommand("pin", "Keep what a graph's results need, whatever gc removes");
   cache_pin->add_option("name", cache.name, "A name for the pin")->required();
@@ -139,8 +141,9 @@ int main(int count, char** words) {
       app.add_subcommand("sweep", "Run a graph with many settings and compare numbers that come out");
   add_graph(sweep_command, sweep.graph);
   sweep_command
-      ->add_option("--vary", sweep.vary,
-                   "NODE.PARAM, PARAM, or NODE.node (the kind of node) and its values (default: the graph's sweep block)")
+      ->add_option(
+          "--vary", sweep.vary,
+          "NODE.PARAM, PARAM, or NODE.node (the kind of node) and its values (default: the graph's sweep block)")
       ->type_name("NAME=VALUE,VALUE,...")
       ->allow_extra_args(false);
   sweep_command
@@ -161,7 +164,8 @@ int main(int count, char** words) {
   add_graph(picture_command, picture.graph);
   CLI::Option* svg = picture_command->add_flag("--svg", picture.svg, "As SVG, which any browser shows (the default)");
   picture_command->add_flag("--dot", picture.dot, "For Graphviz")->excludes(svg);
-  picture_command->add_option("-o,--output", picture.out, "File to write (default: standard output)")->type_name("FILE");
+  picture_command->add_option("-o,--output", picture.out, "File to write (default: standard output)")
+      ->type_name("FILE");
 
   cli::ReportArguments report;
   CLI::App* report_command = app.add_subcommand("report", "Run a graph and make a page of what it did");
@@ -177,9 +181,15 @@ int main(int count, char** words) {
   compare_command->add_option("A", compare.a, "A graph file (JSON), or a folder or file that was made")->required();
   compare_command->add_option("B", compare.b, "Another (default: graph A again)");
   compare_command->add_option("--out", compare.out, "Make a page with pictures too")->type_name("FILE");
-  compare_command->add_option("--set", compare.sets, "A parameter of both")->type_name("NAME=VALUE")->allow_extra_args(false);
-  compare_command->add_option("--set-a", compare.sets_a, "A parameter of A")->type_name("NAME=VALUE")->allow_extra_args(false);
-  compare_command->add_option("--set-b", compare.sets_b, "A parameter of B")->type_name("NAME=VALUE")->allow_extra_args(false);
+  compare_command->add_option("--set", compare.sets, "A parameter of both")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  compare_command->add_option("--set-a", compare.sets_a, "A parameter of A")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  compare_command->add_option("--set-b", compare.sets_b, "A parameter of B")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   compare_command->add_option("--threads", compare.threads, "Tasks at once (default: as many as cores)")
       ->check(CLI::Range(1, 1024));
   compare_command->add_flag("--all", compare.all, "Name every element that differs");

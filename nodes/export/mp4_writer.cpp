@@ -98,7 +98,7 @@ struct Mp4Writer::State {
   std::deque<std::int64_t> durations;  // of the pictures that the encoder holds
   std::vector<float> pending;          // sound that does not fill a frame yet
   std::int64_t samples_sent = 0;
-  std::vector<std::uint8_t> even;  // a picture grown to even size
+  std::vector<std::uint8_t> even;  // a picture grown to even size, and some bytes
 
   ~State() {
     sws_freeContext(convert);
@@ -227,10 +227,14 @@ struct Mp4Writer::State {
 
   // The picture itself, or a copy with its last column and row repeated.
   const std::uint8_t* grown(const Image& image) {
+    constexpr std::size_t beyond = 64;  // swscale reads whole vectors, past the end of the last row
     const int width = picture->width, height = picture->height;
-    if (width == image.width && height == image.height) return image.pixels.data();
     const auto channels = static_cast<std::size_t>(image.channels);
-    even.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels);
+    even.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels + beyond);
+    if (width == image.width && height == image.height) {
+      std::copy(image.pixels.begin(), image.pixels.end(), even.begin());
+      return even.data();
+    }
     std::uint8_t* out = even.data();
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x, out += channels) {

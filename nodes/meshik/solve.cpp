@@ -77,10 +77,11 @@ struct MeshIkSolver::State {
     return sum;
   }
 
+  // tiles: room, megabytes of it, to be used again.
   double evaluate(const VertexTargets& targets, const std::vector<double>& weights, std::vector<double>& vertices,
-                  std::vector<double>* gradient) const {
+                  std::vector<double>* gradient, std::vector<BlendTile>& tiles) const {
     std::vector<double> sums(4 * (free_count(space) + 1), 0.0);
-    std::vector<BlendTile> tiles(tile_count(space));
+    tiles.resize(tile_count(space));
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
       blend_tile(space, tile, weights.data(), tiles[tile]);
       add_gradients(space, tile, tiles[tile].blended, sums.data());
@@ -161,7 +162,8 @@ double MeshIkSolver::energy(const VertexTargets& targets, const std::vector<doub
                             std::vector<double>* gradient) const {
   state_->check_same(targets);
   std::vector<double> vertices;
-  return state_->evaluate(targets, weights, vertices, gradient);
+  std::vector<BlendTile> tiles;
+  return state_->evaluate(targets, weights, vertices, gradient, tiles);
 }
 
 VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const std::vector<double>& start,
@@ -174,7 +176,8 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
   VertexSolution best;
   best.weights = start;
   std::vector<double> gradient;
-  best.energy = state_->evaluate(targets, best.weights, best.vertices_mm, &gradient);
+  std::vector<BlendTile> tiles;
+  best.energy = state_->evaluate(targets, best.weights, best.vertices_mm, &gradient, tiles);
   best.converged = count == 0;
   const auto with_restraint = [&](double energy, const std::vector<double>& weights) {
     for (const double weight : weights) energy += restraint * weight * weight;
@@ -206,7 +209,7 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
     if (!std::isfinite(length)) break;
     std::vector<double> weights = best.weights, vertices, next_gradient;
     for (std::size_t k = 0; k < count; ++k) weights[k] += step[index(k)];
-    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient);
+    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient, tiles);
     const double before = with_restraint(best.energy, best.weights), after = with_restraint(energy, weights);
     // Rounding may raise an energy that is at its least.
     if (after > before * (1 + 1e-10) + 1e-18) {
