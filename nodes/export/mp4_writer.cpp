@@ -98,7 +98,7 @@ struct Mp4Writer::State {
   std::deque<std::int64_t> durations;  // of the pictures that the encoder holds
   std::vector<float> pending;          // sound that does not fill a frame yet
   std::int64_t samples_sent = 0;
-  std::vector<std::uint8_t> even;  // a picture grown to even size, and some bytes
+  std::vector<std::uint8_t> even;  // a picture grown to even size, and bytes beyond its end
 
   ~State() {
     sws_freeContext(convert);
@@ -225,7 +225,7 @@ struct Mp4Writer::State {
     encode(audio, sound);
   }
 
-  // The picture itself, or a copy with its last column and row repeated.
+  // A copy of the picture, its last column and row repeated up to an even size.
   const std::uint8_t* grown(const Image& image) {
     constexpr std::size_t beyond = 64;  // swscale reads whole vectors, past the end of the last row
     const int width = picture->width, height = picture->height;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
@@ -24,8 +25,7 @@ Box from_shares(const std::vector<double>& shares, const std::string& name, cons
 
 const Landmark& find(const Landmarks& landmarks, int number) {
   const std::string name = (number < 10 ? "0" : "") + std::to_string(number);
-  for (const Landmark& point : landmarks.points)
-    if (point.name == name) return point;
+  if (const Landmark* point = find_landmark(landmarks, name)) return *point;
   fail("landmark ", name, " is missing, expected the 68 of Multi-PIE");
 }
 

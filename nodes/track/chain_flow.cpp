@@ -8,6 +8,7 @@
 #include <string>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 
 namespace face::track {
 namespace {
@@ -72,20 +73,13 @@ void check_flow(const FlowField& flow, const std::string& name) {
         " has ", flow.displacement_px.size(), " displacements, expected ", flow.width, " x ", flow.height);
 }
 
-std::string names_of(const Landmarks& landmarks) {
-  std::string names;
-  for (const Landmark& p : landmarks.points) names += (names.empty() ? "" : ", ") + p.name;
-  return names;
-}
-
 Landmarks followed(const Landmarks& start, const std::vector<std::string>& names) {
   if (names.empty()) return start;
   Landmarks chosen;
   for (const std::string& name : names) {
-    const auto point =
-        std::find_if(start.points.begin(), start.points.end(), [&](const Landmark& p) { return p.name == name; });
-    check(point != start.points.end(), "names has the point ", name, ", which start does not have; it has ",
-          names_of(start));
+    const Landmark* point = find_landmark(start, name);
+    check(point != nullptr, "names has the point ", name, ", which start does not have; it has ",
+          landmark_names(start));
     chosen.points.push_back(*point);
   }
   return chosen;
@@ -123,14 +117,12 @@ std::vector<Place> leans(const Landmarks& points, const Landmarks& start, double
 void put_right(const Landmarks& correction, const Motion* first, const std::vector<Place>& lean,
                ChainFlowResult& result) {
   for (const Landmark& fixed : correction.points) {
-    const auto point = std::find_if(result.landmarks.points.begin(), result.landmarks.points.end(),
-                                    [&](const Landmark& p) { return p.name == fixed.name; });
-    check(point != result.landmarks.points.end(), "a correction names the point ", fixed.name,
-          ", which is not followed; these are ", names_of(result.landmarks));
+    const std::size_t index = landmark_index(result.landmarks, fixed.name);
+    check(index < result.landmarks.points.size(), "a correction names the point ", fixed.name,
+          ", which is not followed; these are ", landmark_names(result.landmarks));
     check(std::isfinite(fixed.x_px) && std::isfinite(fixed.y_px), "the correction of ", fixed.name, " is at (",
           fixed.x_px, ", ", fixed.y_px, "), expected finite numbers");
-    *point = {fixed.name, fixed.x_px, fixed.y_px, true};
-    const auto index = static_cast<std::size_t>(point - result.landmarks.points.begin());
+    result.landmarks.points[index] = {fixed.name, fixed.x_px, fixed.y_px, true};
     Landmark& home = result.home.points[index];
     const Place& by = lean[index];
     const std::optional<Place> from = first ? first->source({fixed.x_px + by.x, fixed.y_px + by.y}) : std::nullopt;

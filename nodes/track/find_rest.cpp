@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 
 namespace face::track {
 namespace {
@@ -22,8 +23,8 @@ bool is_lip(const Landmark& point) {
 
 double y_of(const Landmarks& landmarks, int lip) {
   const std::string name = "lip_" + std::to_string(lip);
-  for (const Landmark& point : landmarks.points)
-    if (point.name == name || point.name == number_of(lip)) return point.y_px;
+  for (const std::string& either : {name, number_of(lip)})
+    if (const Landmark* point = find_landmark(landmarks, either)) return point->y_px;
   fail("there is no point ", name, ", expected lip_1 to lip_5 and lip_7 to lip_11");
 }
 
@@ -37,35 +38,11 @@ double lip_height(const Landmarks& landmarks) {
 std::vector<std::pair<std::size_t, std::size_t>> inner_pairs(const Landmarks& landmarks) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (int k = 1; k <= 3; ++k) {
-    const auto index = [&](int number) {
-      const std::string name = "inner_lip_" + std::to_string(number);
-      return static_cast<std::size_t>(std::find_if(landmarks.points.begin(), landmarks.points.end(),
-                                                   [&](const Landmark& point) { return point.name == name; }) -
-                                      landmarks.points.begin());
-    };
-    const std::size_t upper = index(k), lower = index(8 - k);
+    const std::size_t upper = landmark_index(landmarks, "inner_lip_" + std::to_string(k));
+    const std::size_t lower = landmark_index(landmarks, "inner_lip_" + std::to_string(8 - k));
     if (std::max(upper, lower) < landmarks.points.size()) pairs.emplace_back(upper, lower);
   }
   return pairs;
-}
-
-// Brings each pair as near to each other as it comes in the frames in which the lips meet. A mouth at rest may be a
-// little open; on the head it is shut.
-void shut(const engine::Seq<Landmarks>& landmarks, const std::vector<std::size_t>& frames, Landmarks& rest) {
-  constexpr double meeting = 0.1;  // share of the frames
-  for (const auto& [upper, lower] : inner_pairs(rest)) {
-    std::vector<double> gaps_px;
-    for (const std::size_t frame : frames) {
-      const auto here = landmarks.at(frame);
-      gaps_px.push_back(here->points[lower].y_px - here->points[upper].y_px);
-    }
-    const auto place = gaps_px.begin() + static_cast<std::ptrdiff_t>(meeting * static_cast<double>(gaps_px.size() - 1));
-    std::nth_element(gaps_px.begin(), place, gaps_px.end());
-    double &above = rest.points[upper].y_px, &below = rest.points[lower].y_px;
-    const double more = std::max(0.0, below - above - *place) / 2;
-    above += more;
-    below -= more;
-  }
 }
 
 // A frame whose lips are all seen.
@@ -73,6 +50,7 @@ struct Mouth {
   std::size_t frame = 0;
   double height_px = 0;
   std::vector<double> lips_px = {};  // x, y of each
+  std::vector<double> gaps_px = {};  // of each of inner_pairs
   double speed_px = 0;
 };
 
@@ -94,6 +72,8 @@ std::vector<Mouth> find_mouths(const engine::Seq<Landmarks>& landmarks) {
       mouth.lips_px.push_back(point.x_px);
       mouth.lips_px.push_back(point.y_px);
     }
+    for (const auto& [upper, lower] : inner_pairs(*here))
+      mouth.gaps_px.push_back(here->points[lower].y_px - here->points[upper].y_px);
     if (seen) mouths.push_back(std::move(mouth));
   }
   for (std::size_t i = 0; i < mouths.size(); ++i) {
@@ -110,6 +90,21 @@ std::vector<Mouth> find_mouths(const engine::Seq<Landmarks>& landmarks) {
   return mouths;
 }
 
+// How far each of the pairs is apart in the frames in which the lips meet.
+std::vector<double> shut_gaps_px(const std::vector<Mouth>& mouths, std::size_t pairs) {
+  constexpr double meeting = 0.1;  // share of the frames
+  std::vector<double> shut;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    std::vector<double> gaps_px;
+    for (const Mouth& mouth : mouths)
+      if (k < mouth.gaps_px.size()) gaps_px.push_back(mouth.gaps_px[k]);
+    const auto place = gaps_px.begin() + static_cast<std::ptrdiff_t>(meeting * static_cast<double>(gaps_px.size() - 1));
+    std::nth_element(gaps_px.begin(), place, gaps_px.end());
+    shut.push_back(*place);
+  }
+  return shut;
+}
+
 }  // namespace
 
 Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptions& options) {
@@ -120,8 +115,8 @@ Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptio
   std::vector<Mouth> mouths = find_mouths(landmarks);
   Landmarks rest = *landmarks.at(mouths.empty() ? 0 : mouths[0].frame);
   if (mouths.empty()) return rest;
-  std::vector<std::size_t> frames;
-  for (const Mouth& mouth : mouths) frames.push_back(mouth.frame);
+  const auto pairs = inner_pairs(rest);
+  const std::vector<double> shut_px = shut_gaps_px(mouths, pairs.size());
   std::stable_sort(mouths.begin(), mouths.end(),
                    [](const Mouth& a, const Mouth& b) { return a.height_px < b.height_px; });
   const auto last = static_cast<double>(mouths.size() - 1);
@@ -157,7 +152,13 @@ Landmarks find_rest(const engine::Seq<Landmarks>& landmarks, const FindRestOptio
     rest.points[p].x_px = sum.x_px / sum.count;
     rest.points[p].y_px = sum.y_px / sum.count;
   }
-  shut(landmarks, frames, rest);
+  // A mouth at rest may be a little open; on the head it is shut.
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    double &above = rest.points[pairs[k].first].y_px, &below = rest.points[pairs[k].second].y_px;
+    const double more = std::max(0.0, below - above - shut_px[k]) / 2;
+    above += more;
+    below -= more;
+  }
   return rest;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nodes/base/check_image.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/face_colours.h"
 
 namespace face::track {
@@ -117,9 +118,9 @@ Gap find_gap(std::vector<Colour> colours, double unlike) {
 }
 
 const Landmark& point_of(const Landmarks& landmarks, const std::string& name) {
-  for (const Landmark& point : landmarks.points)
-    if (point.name == name) return point;
-  throw std::invalid_argument("there is no landmark " + name + ": the lips' points are lip_0 to lip_11");
+  const Landmark* point = find_landmark(landmarks, name);
+  check(point != nullptr, "there is no landmark ", name, ": the lips' points are lip_0 to lip_11");
+  return *point;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/track/jaw_line.h"
+#include "nodes/base/find_landmark.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -79,10 +80,8 @@ Difference difference(const Matrix& look, std::size_t row, const double* seen) {
 std::vector<std::size_t> find_jaw_line(const Landmarks& start, const std::vector<std::string>& names) {
   std::vector<std::size_t> line;
   for (const std::string& name : names) {
-    const auto point =
-        std::find_if(start.points.begin(), start.points.end(), [&](const Landmark& p) { return p.name == name; });
-    if (point == start.points.end()) return {};
-    line.push_back(static_cast<std::size_t>(point - start.points.begin()));
+    line.push_back(landmark_index(start, name));
+    if (line.back() == start.points.size()) return {};
   }
   return line;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 
 namespace face::track {
 
@@ -15,12 +16,11 @@ std::vector<std::size_t> find_outline(const Landmarks& start, const std::vector<
   std::vector<std::size_t> outline;
   std::string missing;
   for (const std::string& name : names) {
-    const auto point =
-        std::find_if(start.points.begin(), start.points.end(), [&](const Landmark& p) { return p.name == name; });
-    if (point == start.points.end())
+    const std::size_t index = landmark_index(start, name);
+    if (index == start.points.size())
       missing += (missing.empty() ? "" : ", ") + name;
     else
-      outline.push_back(static_cast<std::size_t>(point - start.points.begin()));
+      outline.push_back(index);
   }
   if (outline.empty()) return {};
   if (!missing.empty())

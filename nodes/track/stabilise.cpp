@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/solid_head.h"
 
 namespace face::track {
@@ -19,19 +20,13 @@ struct Pair {
   double depth_px = 0;  // of the point at rest
 };
 
-const Landmark* find(const Landmarks& landmarks, const std::string& name) {
-  const auto at = std::find_if(landmarks.points.begin(), landmarks.points.end(),
-                               [&](const Landmark& point) { return point.name == name; });
-  return at == landmarks.points.end() ? nullptr : &*at;
-}
-
 std::vector<Pair> pairs_of(const Landmarks& here, const Landmarks& rest, const Matrix* depths_px,
                            const StabiliseOptions& options, double weight) {
   std::vector<Pair> pairs;
   for (const std::string& name : options.rigid) {
-    const Landmark* to = find(rest, name);
+    const Landmark* to = find_landmark(rest, name);
     check(to != nullptr, "rest has no point ", name, ", expected all rigid ones");
-    const Landmark* from = find(here, name);
+    const Landmark* from = find_landmark(here, name);
     const double depth_px =
         depths_px == nullptr ? 0 : depths_px->at(static_cast<std::size_t>(to - rest.points.data()), 0);
     if (from != nullptr && from->valid)
@@ -87,7 +82,7 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
     head = find_solid_head(points, 1.0 / turn);
   }
   for (Landmark& point : moved.points) {
-    const Landmark* at_rest = find(rest, point.name);
+    const Landmark* at_rest = find_landmark(rest, point.name);
     const bool placed = solid && at_rest != nullptr;
     const Point here(point.x_px, point.y_px);
     const Point at = placed
@@ -98,7 +93,7 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
   }
   for (const std::string& name : options.rigid)
     for (Landmark& point : moved.points)
-      if (point.name == name) point = {name, find(rest, name)->x_px, find(rest, name)->y_px, true};
+      if (point.name == name) point = {name, find_landmark(rest, name)->x_px, find_landmark(rest, name)->y_px, true};
   return moved;
 }
 

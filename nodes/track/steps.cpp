@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/jaw_line.h"
 #include "nodes/track/mouth_shape.h"
@@ -68,9 +69,8 @@ bool pull_to_patch(const PatchMatch& match, bool is_dot, const TrackKltOptions& 
 // Of points that all are of the 18-point layout; else none.
 std::vector<double> usual_depths_px(const Landmarks& start) {
   const auto place = [&](const char* name) {
-    for (const Landmark& point : start.points)
-      if (point.name == name) return std::complex<double>(point.x_px, point.y_px);
-    return std::complex<double>(NAN, NAN);
+    const Landmark* point = find_landmark(start, name);
+    return point ? std::complex<double>(point->x_px, point->y_px) : std::complex<double>(NAN, NAN);
   };
   const double eyes_px = std::abs(place("eye_inner_r") - place("eye_inner_l"));
   if (!std::isfinite(eyes_px)) return {};

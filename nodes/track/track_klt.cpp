@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "nodes/base/check_image.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/jaw_line.h"
 #include "nodes/track/outline.h"
@@ -86,17 +87,12 @@ void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, c
 void put_right(const Knowledge& known, const Landmarks& correction, const Grey& now, TrackKltResult& result) {
   const auto& points = result.followed.points;
   for (const Landmark& fixed : correction.points) {
-    const auto point =
-        std::find_if(points.begin(), points.end(), [&](const Landmark& p) { return p.name == fixed.name; });
-    if (point == points.end()) {
-      std::string names;
-      for (const Landmark& p : points) names += (names.empty() ? "" : ", ") + p.name;
-      fail("a correction names the point ", fixed.name, ", which start does not have; it has ", names);
-    }
+    const std::size_t index = landmark_index(result.followed, fixed.name);
+    check(index < points.size(), "a correction names the point ", fixed.name, ", which start does not have; it has ",
+          landmark_names(result.followed));
     if (!is_inside(fixed.x_px, fixed.y_px, now.width, now.height))
       fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ",
            now.width, " x ", now.height, " pixels");
-    const auto index = static_cast<std::size_t>(point - points.begin());
     std::vector<Sighting> others;
     for (const Landmark& p : points) others.push_back(p.valid ? Sighting{p.x_px, p.y_px, 1, 0, 1} : Sighting{});
     forget(others[index]);
@@ -107,22 +103,13 @@ void put_right(const Knowledge& known, const Landmarks& correction, const Grey& 
     at_rest.y_px += fixed.y_px - expected.y_px;
     keep_patch(now, fixed.x_px, fixed.y_px, index, 1, known.side_px, result.patches);
     auto& corrected = result.put_right.points;
-    const auto before =
-        std::find_if(corrected.begin(), corrected.end(), [&](const Landmark& p) { return p.name == fixed.name; });
-    if (before == corrected.end())
-      corrected.push_back({fixed.name, fixed.x_px, fixed.y_px, true});
-    else
-      *before = {fixed.name, fixed.x_px, fixed.y_px, true};
+    const std::size_t before = landmark_index(result.put_right, fixed.name);
+    if (before == corrected.size()) corrected.emplace_back();
+    corrected[before] = {fixed.name, fixed.x_px, fixed.y_px, true};
     result.valid = true;
   }
   std::sort(result.put_right.points.begin(), result.put_right.points.end(),
             [](const Landmark& a, const Landmark& b) { return a.name < b.name; });
-}
-
-std::size_t index_of(const Landmarks& points, const std::string& name) {
-  const auto point =
-      std::find_if(points.points.begin(), points.points.end(), [&](const Landmark& p) { return p.name == name; });
-  return static_cast<std::size_t>(point - points.points.begin());
 }
 
 }  // namespace
@@ -142,7 +129,7 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
     const FlowPair flow(before, now, known.side_px, static_cast<int>(options.levels));
     advance(known, flow, frame, before, now, result);
     for (Landmark& point : result.put_right.points) {
-      const std::size_t index = index_of(start, point.name);
+      const std::size_t index = landmark_index(start, point.name);
       if (!result.valid)
         point.valid = false;
       else
@@ -154,7 +141,7 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
   if (correction) put_right(known, *correction, now, result);
   result.landmarks = result.followed;
   for (const Landmark& point : result.put_right.points) {
-    const std::size_t index = index_of(start, point.name);
+    const std::size_t index = landmark_index(start, point.name);
     result.landmarks.points[index] = point;
     if (!point.valid) result.confidence.at(index, 0) = 0;
   }
