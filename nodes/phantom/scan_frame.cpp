@@ -9,6 +9,7 @@
 #include "nodes/base/check.h"
 #include "nodes/phantom/scanner_view.h"
 #include "nodes/phantom/sensor_noise.h"
+#include "nodes/phantom/sensor_picture.h"
 #include "nodes/phantom/srgb_curve.h"
 
 namespace face::phantom {
@@ -30,7 +31,7 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
   const PictureSize pattern{options.projector_width_px, options.projector_height_px};
   const OpaqueTriangles opaque = opaque_triangles(rig.neutral);
   const ScannerView view(rig, opaque, moment_at(weights, world_from_head, 0), camera, picture, projector, pattern, dots,
-                         lost);
+                         lost, options.samples);
   Motion motion;
   if (options.exposure_step > 0 && weights.size() > 1) {
     const auto depths_at = [&](std::size_t exposure) {
@@ -56,14 +57,19 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
   ScanFrameResult result;
   result.scan.camera = camera;
   result.scan.picture = {options.width_px, options.height_px, 1, {}};
-  std::vector<float> grey(pixels, 255 * curve(exposure * 0.05f * ambient));  // a dark room
+  const auto light_of = [&](const SeenPoint& seen) {
+    const float albedo = luminance(seen.albedo);
+    if (!options.light) return albedo;
+    return exposure * albedo * (ambient * seen.ambient + (seen.lit ? std::max(0.0f, seen.projector_cosine) : 0.0f));
+  };
+  const float dark_room = exposure * 0.05f * ambient;
+  std::vector<float> light(pixels, dark_room);  // linear
   result.scan.depth_mm.assign(pixels, 0.0f);
   view.for_each([&](const SeenPoint& seen) {
     const bool measured_light = seen.lit || !options.shadow_holes;
     const float cosine = std::max(0.0f, seen.projector_cosine);
     const float albedo = luminance(seen.albedo);
-    const float light = ambient * seen.ambient + (seen.lit ? cosine : 0.0f);
-    grey[seen.pixel] = 255 * curve(options.light ? exposure * albedo * light : albedo);
+    light[seen.pixel] = light_of(seen);
     const float smaller = options.shadow_holes ? std::min(seen.camera_cosine, cosine) : seen.camera_cosine;
     if (!measured_light || seen.lost > 0.5f || smaller < steepest || albedo * smaller < min_signal) return;
     if (dropouts > 0 && dropout.uniform(seen.pixel) < dropouts) return;
@@ -84,6 +90,22 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
     if (depth_step > 0) depth = depth_step * std::round(depth / depth_step);
     result.scan.depth_mm[seen.pixel] = std::max(0.0f, depth);
   });
+  std::vector<float> grey(pixels);
+  const auto expose = [&] {
+    std::transform(light.begin(), light.end(), grey.begin(), [&](float x) { return 255 * curve(x); });
+  };
+  expose();
+  if (options.samples > 1) {
+    const std::vector<std::uint8_t> edges = edges_of(grey, picture, edge_levels);
+    for (int y = 0; y < picture.height_px; ++y)
+      for (int x = 0; x < picture.width_px; ++x) {
+        const std::size_t at =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) + static_cast<std::size_t>(x);
+        if (edges[at] != 0) light[at] = view.mean_of(x, y, dark_room, light_of);
+      }
+  }
+  if (options.lens_px > 0) blur_light(light, picture, options.lens_px);
+  expose();
   result.scan.picture.pixels.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const float level = grey_noise > 0 ? grey[i] + grey_noise * normal[grain.bits(i)] : grey[i];

@@ -15,6 +15,9 @@
 
 namespace face::phantom {
 
+// Pixels that differ more from one beside them are an edge, in steps of 8 bits.
+inline constexpr float edge_levels = 3;
+
 // Every fault is off at the value that its comment names.
 struct ScanFrameOptions {
   int width_px = 640;
@@ -32,6 +35,8 @@ struct ScanFrameOptions {
   double ripple = 0.5;           // of the depth that the surface moves between two pictures; 0
   double ripple_period_px = 32;  // of the fringes, in the projector
   double max_motion_mm = 4;      // a pixel whose depth changes more during the five pictures is lost
+  int samples = 5;               // per pixel and axis of the picture, where it has edges; 1
+  double lens_px = 0.5;          // standard deviation of the lens's blur of the picture; 0
   double exposure = 0.85;        // light in the picture of a white surface that faces the projector, of 1
   double ambient = 0.12;         // light beside the projector's
   bool light = true;             // false: the picture shows the surface's own grey, as without light and shade
@@ -52,8 +57,9 @@ struct ScanFrameResult {
 // shifting (Weise, Leibe, Van Gool: Fast 3D Scanning with Automatic Motion Compensation, CVPR 2007, section 3); then
 // normal noise of noise_mm * (1 + grazing * (1 / cosine - 1)), with the smaller of the cosines towards camera and
 // projector, at least 0.1; then rounding to depth_step_mm. The picture is grey, sRGB, in even light from the projector;
-// without light it is the albedo's luminance, the same in every frame, so that textures can be compared. weights,
-// world_from_head: the frame and one on either side. dots, lost, id: may be null.
+// where neighbours differ by more than edge_levels a pixel is the mean light over its area, as of a sensor, and
+// elsewhere what its centre sees. Without light it is the albedo's luminance, the same in every frame, so that textures
+// can be compared. weights, world_from_head: the frame and one on either side. dots, lost, id: may be null.
 ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weights,
                            const engine::Window<RigidMotion>& world_from_head, const Camera& camera,
                            const Camera& projector, const SurfaceDots* dots, const VertexMask* lost,

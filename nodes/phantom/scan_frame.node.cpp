@@ -6,7 +6,7 @@ using namespace engine::declare;
 using namespace face::phantom;
 
 NODE(
-    "phantom.scan_frame", &scan_frame, version{1},
+    "phantom.scan_frame", &scan_frame, version{2},
     doc{"One frame of a structured-light scanner with a camera and a projector beside it: shadow holes, grazing noise, "
         "dropouts, steps, motion during its five pictures; every fault can be switched off. With the truth."},
     input{"rig", "Head and its blend shapes"},
@@ -43,6 +43,10 @@ NODE(
           "Period of the fringes in the projector"),
     param("max_motion_mm", &ScanFrameOptions::max_motion_mm, range{0.0, 1000.0}, unit{"mm"},
           "A pixel whose depth changes more during the five pictures is lost"),
+    param("samples", &ScanFrameOptions::samples, range{1, 9}, unit{"1"},
+          "Places per pixel and axis that the picture's edges are the mean of; 1: only its middle"),
+    param("lens_px", &ScanFrameOptions::lens_px, range{0.0, 3.0}, unit{"px"},
+          "Standard deviation of the lens's blur of the picture; 0 switches it off"),
     param("ambient", &ScanFrameOptions::ambient, range{0.0, 10.0}, unit{"1"},
           "Light beside the projector's, which is 1"),
     param("light", &ScanFrameOptions::light, "Off: the picture shows the surface's own grey, without light and shade"),

@@ -48,7 +48,7 @@ bool is_seen(const render::Raster& raster, const render::ScreenPoint& at, float 
 
 ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Moment& moment, const Camera& camera,
                          PictureSize picture, const Camera& projector, PictureSize pattern, const SurfaceDots* dots,
-                         const VertexMask* lost)
+                         const VertexMask* lost, int samples)
     : opaque_(opaque),
       lost_(lost),
       points_mm_(pose_points(rig, moment.weights)),
@@ -56,7 +56,8 @@ ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Mo
       mouth_(render::mouth_light(rig, points_mm_)),
       camera_(camera_in_head(camera, &moment.world_from_head)),
       projector_(camera_in_head(projector, &moment.world_from_head)),
-      dots_(dots, points_mm_, opaque.mesh, ColourSpace::linear) {
+      dots_(dots, points_mm_, opaque.mesh, ColourSpace::linear),
+      samples_(samples) {
   const Mesh& mesh = rig.neutral;
   check(mesh.colors_srgb.empty() || mesh.colors_srgb.size() == mesh.points_mm.size(), "the rig has ",
         mesh.colors_srgb.size(), " vertex colours, but ", mesh.points_mm.size(), " vertices");
@@ -72,18 +73,22 @@ ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Mo
   if (part_albedo_.empty()) part_albedo_.push_back({1, 1, 1});
   screen_ = render::project(camera_, points_mm_);
   raster_ = render::rasterize(screen_, opaque.mesh.triangles, raster_options(picture));
+  if (samples > 1) {
+    const Camera fine = render::supersampled(camera_, samples);
+    fine_ = render::rasterize(render::project(fine, points_mm_), opaque.mesh.triangles,
+                              raster_options({picture.width_px * samples, picture.height_px * samples}));
+  }
   pattern_ = render::rasterize(render::project(projector_, points_mm_), opaque.mesh.triangles, raster_options(pattern));
 }
 
 bool ScannerView::is_lit(const render::ScreenPoint& at) const { return is_seen(pattern_, at, 0.3f); }
 
-bool ScannerView::see(int x, int y, SeenPoint& seen) const {
-  seen.pixel = raster_.index(x, y);
-  if (raster_.triangles[seen.pixel] < 0) return false;
-  const auto t = static_cast<std::size_t>(raster_.triangles[seen.pixel]);
+bool ScannerView::see(std::int32_t nearest, float x_px, float y_px, SeenPoint& seen) const {
+  if (nearest < 0) return false;
+  const auto t = static_cast<std::size_t>(nearest);
   const render::Triangle& triangle = opaque_.mesh.triangles[t];
   const std::uint16_t part = opaque_.mesh.parts[t];
-  const Vec3f b = render::barycentrics_at(screen_, triangle, static_cast<float>(x), static_cast<float>(y));
+  const Vec3f b = render::barycentrics_at(screen_, triangle, x_px, y_px);
   const Vec3f point = mixed(b, triangle, points_mm_);
   Vec3f normal = render::normalized(mixed(b, triangle, normals_));
   float facing = render::dot(normal, towards(point, camera_.position_mm));

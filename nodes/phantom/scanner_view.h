@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "nodes/phantom/dot_painter.h"
@@ -39,23 +40,43 @@ inline float luminance(const Vec3f& colour) { return 0.3f * colour[0] + 0.59f * 
 // A head at one moment in front of a camera and a projector.
 class ScannerView {
  public:
-  // dots, lost: null = none. rig and lost must outlive the view.
+  // dots, lost: null = none. samples: per pixel and axis, for mean_of. rig, opaque and lost must outlive the view.
   ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Moment& moment, const Camera& camera,
               PictureSize picture, const Camera& projector, PictureSize pattern, const SurfaceDots* dots,
-              const VertexMask* lost);
+              const VertexMask* lost, int samples = 1);
 
-  // Looks at every covered pixel, rows from the top; look(const SeenPoint&).
+  // Looks through the centre of every covered pixel, rows from the top; look(const SeenPoint&).
   template <class Look>
   void for_each(Look look) const {
     SeenPoint seen;
     for (int y = 0; y < raster_.height_px; ++y)
       for (int x = 0; x < raster_.width_px; ++x)
-        if (see(x, y, seen)) look(seen);
+        if (see(raster_.triangles[raster_.index(x, y)], static_cast<float>(x), static_cast<float>(y), seen)) {
+          seen.pixel = raster_.index(x, y);
+          look(seen);
+        }
+  }
+  // The mean of light(const SeenPoint&) over a pixel's area, by samples x samples places in it; background where one
+  // sees nothing.
+  template <class Light>
+  float mean_of(int x, int y, float background, Light light) const {
+    SeenPoint seen;
+    float sum = 0;
+    for (int i = 0; i < samples_; ++i)
+      for (int k = 0; k < samples_; ++k) {
+        const int column = x * samples_ + k, row = y * samples_ + i;
+        const bool covered = see(fine_.triangles[fine_.index(column, row)], place_of(column), place_of(row), seen);
+        sum += covered ? light(seen) : background;
+      }
+    return sum / static_cast<float>(samples_ * samples_);
   }
   SurfaceMap map() const { return map_of(raster_, screen_, opaque_); }
 
  private:
-  bool see(int x, int y, SeenPoint& seen) const;
+  // What is at a place of the picture where this triangle, -1 for none, is the nearest; all but the pixel.
+  bool see(std::int32_t triangle, float x_px, float y_px, SeenPoint& seen) const;
+  // Where in the picture a column or row of the samples lies.
+  float place_of(int sample) const { return (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples_) - 0.5f; }
   bool is_lit(const render::ScreenPoint& at) const;
 
   const OpaqueTriangles& opaque_;
@@ -64,9 +85,10 @@ class ScannerView {
   std::vector<Vec3f> part_albedo_;                   // linear
   render::MouthLight mouth_;
   std::vector<render::ScreenPoint> screen_;
-  render::Raster raster_, pattern_;
+  render::Raster raster_, fine_, pattern_;  // fine_: of the samples, empty for one
   Camera camera_, projector_;
   DotPainter dots_;
+  int samples_;
 };
 
 // 1 / depth at every pixel of a head as the camera sees it at a moment; 0 where there is nothing.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/sample_image.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/triangulate.h"
@@ -19,17 +20,10 @@ double grey_of(const Image& picture, int x, int y) {
 }
 
 double grey_at(const Image& picture, double x, double y) {
-  x = std::clamp(x, 0.0, picture.width - 1.0);
-  y = std::clamp(y, 0.0, picture.height - 1.0);
-  const int x0 = std::clamp(static_cast<int>(x), 0, std::max(picture.width - 2, 0)),
-            y0 = std::clamp(static_cast<int>(y), 0, std::max(picture.height - 2, 0));
-  const int x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
-  const double fx = x - x0, fy = y - y0;
-  return (grey_of(picture, x0, y0) * (1 - fx) + grey_of(picture, x1, y0) * fx) * (1 - fy) +
-         (grey_of(picture, x0, y1) * (1 - fx) + grey_of(picture, x1, y1) * fx) * fy;
+  float values[4];
+  sample_image(picture, x, y, values);
+  return picture.channels < 3 ? values[0] : 0.299 * values[0] + 0.587 * values[1] + 0.114 * values[2];
 }
-
-std::uint8_t level(double grey) { return static_cast<std::uint8_t>(std::clamp(std::lround(grey), 0l, 255l)); }
 
 }  // namespace
 
@@ -53,7 +47,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
   result.drawn = result.picture = result.mask = {width, height, 1, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      result.picture.pixels.push_back(level(grey_of(picture, x, y)));
+      result.picture.pixels.push_back(to_byte(grey_of(picture, x, y)));
       const std::int32_t triangle = raster.triangles[raster.index(x, y)];
       result.mask.pixels.push_back(triangle >= 0 ? 255 : 0);
       if (triangle < 0) {
@@ -67,7 +61,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
         u += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][0]);
         v += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][1]);
       }
-      result.drawn.pixels.push_back(level(
+      result.drawn.pixels.push_back(to_byte(
           grey_at(reference.picture, u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
     }
   return result;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/base/srgb.h"
 #include "nodes/phantom/lose_points.h"
 #include "nodes/phantom/make_camera.h"
+#include "nodes/phantom/sensor_picture.h"
 #include "nodes/render/triangulate.h"
 #include "tests/nodes/phantom/head_probe.h"
 #include "tests/nodes/phantom/plain_rigs.h"
@@ -146,9 +148,12 @@ TEST(ScanFrame, HasAPictureWithTheGivenNoise) {
 
 TEST(ScanFrame, ShowsTheSurfacesOwnGreyWithoutLight) {
   ScanFrameOptions options = clean();
-  options.light = false;
+  options.samples = 1;  // no pixel of the outline takes of the background
+  options.lens_px = 0;
   const Rig ball = plain::ball(90);
-  const ScanFrameResult lit = scan(ball, clean()), plain = scan(ball, options);
+  const ScanFrameResult lit = scan(ball, options);
+  options.light = false;
+  const ScanFrameResult plain = scan(ball, options);
   std::uint8_t least = 255, most = 0, least_lit = 255;
   for (std::size_t i = 0; i < plain.scan.depth_mm.size(); ++i) {
     if (!(plain.scan.depth_mm[i] > 0)) continue;
@@ -159,6 +164,47 @@ TEST(ScanFrame, ShowsTheSurfacesOwnGreyWithoutLight) {
   EXPECT_EQ(least, most);
   EXPECT_LT(least_lit + 50, least);
   EXPECT_EQ(plain.scan.depth_mm, lit.scan.depth_mm);
+}
+
+TEST(ScanFrame, ShowsAtAnEdgeTheMeanLightOfThePixelsArea) {
+  ScanFrameOptions options = clean();
+  options.light = false;
+  options.lens_px = 0;
+  const Camera camera = scanner();
+  const double px_per_mm = camera.focal_px / distance_mm, skin = linear_of(0.6f);
+  for (const double share : {0.1, 0.35, 0.55, 0.8}) {
+    // The wall's right edge covers this share of the column of pixels it lies in.
+    const double edge_px = 250 - 0.5 + share, half_mm = (edge_px - camera.centre_x_px) / px_per_mm;
+    const Image picture = scan(plain::wall(2 * half_mm, 0), options).scan.picture;
+    const auto light = [&](int x) { return linear_of(static_cast<float>(picture.pixels[120 * 320 + x]) / 255); };
+    const double dark = light(252);
+    EXPECT_NEAR(light(249), skin, 0.004);
+    EXPECT_NEAR((light(250) - dark) / (skin - dark), share, 0.1) << share;  // 5 samples
+    EXPECT_NEAR(light(251), dark, 0.004);
+    options.samples = 1;  // all or nothing
+    const Image hard = scan(plain::wall(2 * half_mm, 0), options).scan.picture;
+    options.samples = 5;
+    EXPECT_EQ(hard.pixels[120 * 320 + 250], hard.pixels[120 * 320 + (share >= 0.5 ? 249 : 251)]);
+  }
+}
+
+TEST(ScanFrame, SpreadsLightByTheLensAndLosesNone) {
+  constexpr int side = 15, middle = 7;
+  std::vector<float> light(side * side, 0.0f);
+  light[middle * side + middle] = 1;
+  blur_light(light, {side, side}, 0.8);
+  double sum = 0, second_moment = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double value = light[static_cast<std::size_t>(side * y + x)];
+      sum += value;
+      second_moment += (x - middle) * (x - middle) * value;
+    }
+  EXPECT_NEAR(sum, 1, 1e-5);
+  EXPECT_NEAR(second_moment, 0.64, 0.02);
+  std::vector<float> even(side * 4, 0.3f);
+  blur_light(even, {side, 4}, 0.8);
+  for (const float value : even) EXPECT_NEAR(value, 0.3f, 1e-6f);  // up to the edge of the picture
 }
 
 TEST(ScanFrame, HasAHoleWhereTheProjectorIsHiddenOnTheFarSide) {
