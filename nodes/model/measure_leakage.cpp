@@ -4,12 +4,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/types/arkit.h"
 
 namespace face::model {
+namespace {
+
+constexpr std::size_t surrogates = 256;
+
+}  // namespace
 
 Table measure_leakage(const engine::Seq<Weights>& coefficients, const engine::Seq<Weights>& truth,
                       const MeasureLeakageOptions& options) {
@@ -33,26 +39,38 @@ Table measure_leakage(const engine::Seq<Weights>& coefficients, const engine::Se
   const std::size_t count = rows.size(),
                     used = count > 0 ? std::min(rows[0].size(), static_cast<std::size_t>(options.components)) : 0;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  double leakage = nan;
+  double leakage = nan, by_chance = nan, likely = nan;
   if (count > used + 1) {
     Eigen::MatrixXd a(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(used));
-    Eigen::VectorXd b(static_cast<Eigen::Index>(count));
-    for (std::size_t t = 0; t < count; ++t) {
-      b[static_cast<Eigen::Index>(t)] = wanted[t];
+    for (std::size_t t = 0; t < count; ++t)
       for (std::size_t k = 0; k < used; ++k)
         a(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) = static_cast<double>(rows[t][k]);
-    }
-    b.array() -= b.mean();
     a.rowwise() -= a.colwise().mean().eval();
-    const double total = b.squaredNorm();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+    const Eigen::MatrixXd basis =
+        qr.householderQ() * Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), qr.rank());
+    const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / static_cast<double>(count);
+    for (double& w : wanted) w -= mean;
+    const double total =
+        Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(count)).squaredNorm();
+    // Percent of the movement, moved round by some frames, that lies in the coefficients' span.
+    const auto explained = [&](std::size_t moved) {
+      Eigen::VectorXd b(static_cast<Eigen::Index>(count));
+      std::rotate_copy(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(moved), wanted.end(), b.data());
+      return 100 * (basis.transpose() * b).squaredNorm() / total;
+    };
     if (total > 0) {
-      const Eigen::VectorXd x = a.colPivHouseholderQr().solve(b);
-      leakage = 100 * (1 - (b - a * x).squaredNorm() / total);
+      leakage = explained(0);
+      std::vector<double> moved;
+      const std::size_t steps = std::min(surrogates, count - 1);
+      for (std::size_t i = 1; i <= steps; ++i) moved.push_back(explained(i * count / (steps + 1)));
+      by_chance = std::accumulate(moved.begin(), moved.end(), 0.0) / static_cast<double>(steps);
+      std::sort(moved.begin(), moved.end());
+      likely = moved[(moved.size() - 1) * 19 / 20];
     }
   }
-  const double chance = count > 1 ? 100.0 * static_cast<double>(used) / static_cast<double>(count - 1) : nan;
-  return {{"leakage_percent", "by_chance_percent", "frames"},
-          {{options.shape, {leakage, chance, static_cast<double>(count)}}}};
+  return {{"leakage_percent", "by_chance_percent", "likely_by_chance_percent", "frames"},
+          {{options.shape, {leakage, by_chance, likely, static_cast<double>(count)}}}};
 }
 
 }  // namespace face::model

@@ -17,8 +17,12 @@ struct MeasureLeakageOptions {
 // How much of one true movement the first coefficients of a linear space tell: R^2 of the least-squares prediction of
 // the ARKit weight `shape` by them and a constant, over all frames. What a mouth's space should not know is a blink.
 // coefficients, truth: of every frame, with the same ids; frames without coefficients (lost) are left out.
-// One row, named after the shape: leakage_percent; by_chance_percent, which so many coefficients of pure noise explain
-// on average (components / (frames - 1)); frames. NaN where the movement never changes.
+// What such a prediction explains by coincidence is counted, not assumed, since neither a mouth nor a dozen blinks are
+// independent from frame to frame: the same prediction of the movement moved round in time by each of 256 equal steps,
+// so that nothing can be known of it (Theiler et al., Testing for nonlinearity in time series: the method of surrogate
+// data, 1992; circular shifts keep the spectrum).
+// One row, named after the shape: leakage_percent; by_chance_percent, the mean of those; likely_by_chance_percent,
+// which one in twenty of them exceeds; frames. NaN where the movement never changes.
 Table measure_leakage(const engine::Seq<Weights>& coefficients, const engine::Seq<Weights>& truth,
                       const MeasureLeakageOptions& options = {});
 
