@@ -44,14 +44,28 @@ std::string blob(const double& number, const BlobOptions& options) {
   return text;
 }
 
+void blob_film(engine::SeqWriter<std::string>& blobs, const BlobFilmOptions& options) {
+  for (int i = 0; i < options.count; ++i) {
+    wait(options.seconds, nullptr);
+    blobs.push(blob(i, {options.size_mb}));
+  }
+}
+
+std::string mark(const std::string& blob, const double& number) {
+  std::string marked = blob;
+  const std::string digits = std::to_string(static_cast<long>(number));
+  marked.replace(0, digits.size(), digits);
+  return marked;
+}
+
 double blob_size(const std::string& blob, const BlobSizeOptions& options) {
   wait(options.seconds, nullptr);
   return static_cast<double>(blob.size());
 }
 
-double total_size(const engine::Seq<std::string>& blobs) {
+double total_size(const engine::Seq<std::string>& blobs, const BlobSizeOptions& options) {
   double total = 0;
-  for (const std::string& blob : blobs) total += static_cast<double>(blob.size());
+  for (const std::string& blob : blobs) total += blob_size(blob, options);
   return total;
 }
 

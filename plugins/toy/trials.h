@@ -31,13 +31,24 @@ struct BlobOptions {
 // A large text that depends on the number.
 std::string blob(const double& number, const BlobOptions& options);
 
+struct BlobFilmOptions {
+  int count = 10;
+  double size_mb = 10;
+  double seconds = 0;
+};
+// Blobs of the numbers 0, 1, 2, ..., one by one and each after a while, as a film has frames; the node is cheap.
+void blob_film(engine::SeqWriter<std::string>& blobs, const BlobFilmOptions& options);
+
+// A blob with a number in place of its first bytes; the node is cheap.
+std::string mark(const std::string& blob, const double& number);
+
 struct BlobSizeOptions {
   double seconds = 0;
 };
 // Its size, after a while.
 double blob_size(const std::string& blob, const BlobSizeOptions& options);
 
-// The size of all.
-double total_size(const engine::Seq<std::string>& blobs);
+// The size of all; each takes a while.
+double total_size(const engine::Seq<std::string>& blobs, const BlobSizeOptions& options);
 
 }  // namespace toy

@@ -49,6 +49,7 @@ TEST_P(MemoryBudget, HoldsForThreeGigabytesOfValues) {
   EXPECT_EQ(test::read_file(folder.path() / "out/bytes.txt"), "6000000000");
 }
 
-INSTANTIATE_TEST_SUITE_P(Graphs, MemoryBudget, ::testing::Values("pressure.json", "pressure_cheap.json"));
+INSTANTIATE_TEST_SUITE_P(Graphs, MemoryBudget,
+                         ::testing::Values("pressure.json", "pressure_cheap.json", "pressure_film.json"));
 
 }  // namespace

@@ -9,6 +9,9 @@ const Registered toy({
         {
             {"toy.blob.size_mb", 0.001},
             {"toy.cheap_blob.size_mb", 0.001},
+            {"toy.blob_film.size_mb", 0.001},
+            {"toy.blob_film.count", whole(3)},
+            {"toy.blob_film.seconds", 0.001},
             {"toy.blob_size.seconds", 0.0},
             {"toy.sleep.seconds", 0.01},
             {"toy.slow_read.seconds", 0.01},
