@@ -31,7 +31,7 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
   const PictureSize pattern{options.projector_width_px, options.projector_height_px};
   const OpaqueTriangles opaque = opaque_triangles(rig.neutral);
   const ScannerView view(rig, opaque, moment_at(weights, world_from_head, 0), camera, picture, projector, pattern, dots,
-                         lost, options.samples);
+                         lost);
   Motion motion;
   if (options.exposure_step > 0 && weights.size() > 1) {
     const auto depths_at = [&](std::size_t exposure) {
@@ -95,15 +95,8 @@ ScanFrameResult scan_frame(const Rig& rig, const engine::Window<Weights>& weight
     std::transform(light.begin(), light.end(), grey.begin(), [&](float x) { return 255 * curve(x); });
   };
   expose();
-  if (options.samples > 1) {
-    const std::vector<std::uint8_t> edges = edges_of(grey, picture, edge_levels);
-    for (int y = 0; y < picture.height_px; ++y)
-      for (int x = 0; x < picture.width_px; ++x) {
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) + static_cast<std::size_t>(x);
-        if (edges[at] != 0) light[at] = view.mean_of(x, y, dark_room, light_of);
-      }
-  }
+  if (options.samples > 1)
+    view.take_means(edges_of(grey, picture, edge_levels), options.samples, dark_room, light_of, light);
   if (options.lens_px > 0) blur_light(light, picture, options.lens_px);
   expose();
   result.scan.picture.pixels.resize(pixels);

@@ -35,7 +35,7 @@ struct ScanFrameOptions {
   double ripple = 0.5;           // of the depth that the surface moves between two pictures; 0
   double ripple_period_px = 32;  // of the fringes, in the projector
   double max_motion_mm = 4;      // a pixel whose depth changes more during the five pictures is lost
-  int samples = 5;               // per pixel and axis of the picture, where it has edges; 1
+  int samples = 3;               // per pixel and axis of the picture, where it has edges; 1
   double lens_px = 0.5;          // standard deviation of the lens's blur of the picture; 0
   double exposure = 0.85;        // light in the picture of a white surface that faces the projector, of 1
   double ambient = 0.12;         // light beside the projector's

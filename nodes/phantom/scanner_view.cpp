@@ -48,7 +48,7 @@ bool is_seen(const render::Raster& raster, const render::ScreenPoint& at, float 
 
 ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Moment& moment, const Camera& camera,
                          PictureSize picture, const Camera& projector, PictureSize pattern, const SurfaceDots* dots,
-                         const VertexMask* lost, int samples)
+                         const VertexMask* lost)
     : opaque_(opaque),
       lost_(lost),
       points_mm_(pose_points(rig, moment.weights)),
@@ -56,8 +56,7 @@ ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Mo
       mouth_(render::mouth_light(rig, points_mm_)),
       camera_(camera_in_head(camera, &moment.world_from_head)),
       projector_(camera_in_head(projector, &moment.world_from_head)),
-      dots_(dots, points_mm_, opaque.mesh, ColourSpace::linear),
-      samples_(samples) {
+      dots_(dots, points_mm_, opaque.mesh, ColourSpace::linear) {
   const Mesh& mesh = rig.neutral;
   check(mesh.colors_srgb.empty() || mesh.colors_srgb.size() == mesh.points_mm.size(), "the rig has ",
         mesh.colors_srgb.size(), " vertex colours, but ", mesh.points_mm.size(), " vertices");
@@ -73,15 +72,21 @@ ScannerView::ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Mo
   if (part_albedo_.empty()) part_albedo_.push_back({1, 1, 1});
   screen_ = render::project(camera_, points_mm_);
   raster_ = render::rasterize(screen_, opaque.mesh.triangles, raster_options(picture));
-  if (samples > 1) {
-    const Camera fine = render::supersampled(camera_, samples);
-    fine_ = render::rasterize(render::project(fine, points_mm_), opaque.mesh.triangles,
-                              raster_options({picture.width_px * samples, picture.height_px * samples}));
-  }
   pattern_ = render::rasterize(render::project(projector_, points_mm_), opaque.mesh.triangles, raster_options(pattern));
 }
 
 bool ScannerView::is_lit(const render::ScreenPoint& at) const { return is_seen(pattern_, at, 0.3f); }
+
+void ScannerView::rasterize_band(int top, int bottom, int samples, render::Raster& fine) const {
+  const auto factor = static_cast<float>(samples);
+  std::vector<render::ScreenPoint> screen = screen_;
+  for (render::ScreenPoint& point : screen) {
+    point.x_px = factor * (point.x_px + 0.5f) - 0.5f;
+    point.y_px = factor * (point.y_px - static_cast<float>(top) + 0.5f) - 0.5f;
+  }
+  render::rasterize_into(screen, opaque_.mesh.triangles,
+                         raster_options({raster_.width_px * samples, (bottom - top) * samples}), fine);
+}
 
 bool ScannerView::see(std::int32_t nearest, float x_px, float y_px, SeenPoint& seen) const {
   if (nearest < 0) return false;

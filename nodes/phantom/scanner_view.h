@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -40,10 +42,10 @@ inline float luminance(const Vec3f& colour) { return 0.3f * colour[0] + 0.59f * 
 // A head at one moment in front of a camera and a projector.
 class ScannerView {
  public:
-  // dots, lost: null = none. samples: per pixel and axis, for mean_of. rig, opaque and lost must outlive the view.
+  // dots, lost: null = none. rig, opaque and lost must outlive the view.
   ScannerView(const Rig& rig, const OpaqueTriangles& opaque, const Moment& moment, const Camera& camera,
               PictureSize picture, const Camera& projector, PictureSize pattern, const SurfaceDots* dots,
-              const VertexMask* lost, int samples = 1);
+              const VertexMask* lost);
 
   // Looks through the centre of every covered pixel, rows from the top; look(const SeenPoint&).
   template <class Look>
@@ -56,27 +58,45 @@ class ScannerView {
           look(seen);
         }
   }
-  // The mean of light(const SeenPoint&) over a pixel's area, by samples x samples places in it; background where one
-  // sees nothing.
+  // At every pixel that is marked in where: the mean of light(const SeenPoint&) over its area, by samples x samples
+  // places in it; background where one sees nothing. where, values: height x width.
   template <class Light>
-  float mean_of(int x, int y, float background, Light light) const {
-    SeenPoint seen;
-    float sum = 0;
-    for (int i = 0; i < samples_; ++i)
-      for (int k = 0; k < samples_; ++k) {
-        const int column = x * samples_ + k, row = y * samples_ + i;
-        const bool covered = see(fine_.triangles[fine_.index(column, row)], place_of(column), place_of(row), seen);
-        sum += covered ? light(seen) : background;
-      }
-    return sum / static_cast<float>(samples_ * samples_);
+  void take_means(const std::vector<std::uint8_t>& where, int samples, float background, Light light,
+                  std::vector<float>& values) const {
+    render::Raster fine;  // of one band of rows after the other, in the same memory
+    for (int top = 0; top < raster_.height_px; top += band_px) {
+      const int bottom = std::min(top + band_px, raster_.height_px);
+      if (std::find(where.begin() + row(top), where.begin() + row(bottom), 1) == where.begin() + row(bottom)) continue;
+      rasterize_band(top, bottom, samples, fine);
+      for (int y = top; y < bottom; ++y)
+        for (int x = 0; x < raster_.width_px; ++x)
+          if (where[raster_.index(x, y)] != 0)
+            values[raster_.index(x, y)] = mean_of(x, y, top, samples, fine, background, light);
+    }
   }
   SurfaceMap map() const { return map_of(raster_, screen_, opaque_); }
 
  private:
+  static constexpr int band_px = 32;
   // What is at a place of the picture where this triangle, -1 for none, is the nearest; all but the pixel.
   bool see(std::int32_t triangle, float x_px, float y_px, SeenPoint& seen) const;
-  // Where in the picture a column or row of the samples lies.
-  float place_of(int sample) const { return (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples_) - 0.5f; }
+  // What samples x samples places per pixel see in the rows of pixels [top, bottom).
+  void rasterize_band(int top, int bottom, int samples, render::Raster& fine) const;
+  template <class Light>
+  float mean_of(int x, int y, int top, int samples, const render::Raster& fine, float background, Light light) const {
+    const auto place = [&](int pixel, int sample) {
+      return static_cast<float>(pixel) + (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples) - 0.5f;
+    };
+    SeenPoint seen;
+    float sum = 0;
+    for (int i = 0; i < samples; ++i)
+      for (int k = 0; k < samples; ++k) {
+        const std::int32_t nearest = fine.triangles[fine.index(x * samples + k, (y - top) * samples + i)];
+        sum += see(nearest, place(x, k), place(y, i), seen) ? light(seen) : background;
+      }
+    return sum / static_cast<float>(samples * samples);
+  }
+  std::ptrdiff_t row(int y) const { return static_cast<std::ptrdiff_t>(y) * raster_.width_px; }
   bool is_lit(const render::ScreenPoint& at) const;
 
   const OpaqueTriangles& opaque_;
@@ -85,10 +105,9 @@ class ScannerView {
   std::vector<Vec3f> part_albedo_;                   // linear
   render::MouthLight mouth_;
   std::vector<render::ScreenPoint> screen_;
-  render::Raster raster_, fine_, pattern_;  // fine_: of the samples, empty for one
+  render::Raster raster_, pattern_;
   Camera camera_, projector_;
   DotPainter dots_;
-  int samples_;
 };
 
 // 1 / depth at every pixel of a head as the camera sees it at a moment; 0 where there is nothing.
