@@ -38,7 +38,16 @@ Sample phone_distances(engine::Plugins& plugins, int variant) {
   return held(face::Matrix{count, 1, std::vector<double>(count, 0.5 * variant)});
 }
 
+Sample turned_points(engine::Plugins& plugins, int variant) { return two_digit_points(plugins, variant + 3); }
+
 Sample moved_speaker(engine::Plugins& plugins, int variant) { return speaker_points(plugins, variant + 3); }
+
+// Towards the viewer, of as many points as two_digit_points has.
+const Maker point_depths = made([](int variant) {
+  face::Matrix depths{68, 1, {}};
+  for (int i = 0; i < 68; ++i) depths.values.push_back((3 + variant) * std::cos(0.5 * i));
+  return depths;
+});
 
 const Maker mouth_picture = changed<face::Image>(another("image", 2), [](face::Image& image, int) {
   face::Image part{24, 16, 3, {}};
@@ -59,6 +68,9 @@ const Registered mmm({
             {"mmm.head_mask.frame", sized_picture},
             {"mmm.head_mask.landmarks", two_digit_points},
             {"mmm.warp_perspective.perspective", perspective},
+            {"mmm.settle_mouth.start", two_digit_points},
+            {"mmm.settle_mouth.landmarks", turned_points},
+            {"mmm.settle_mouth.depths_px", point_depths},
             {"mmm.build.exemplars", columns_of({{0, 2}, {1, 3}})},
             {"mmm.synthesise.parameters", parameters},
             {"mmm.add_grain.parameters", parameters},
