@@ -4,35 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/base/scan_points.h"
+#include "nodes/model/scan_grid.h"
 
 namespace face::model {
 namespace {
-
-// Vertices of a reference, by grid node.
-struct Grid {
-  int columns = 0, rows = 0, stride = 1;
-  std::vector<std::int32_t> vertex;     // rows x columns, -1 where nothing is measured
-  std::vector<std::pair<int, int>> at;  // V: pixel
-};
-
-Grid grid_of(const DepthScan& reference, const ScanMeshOptions& options) {
-  check_scan(reference, "reference");
-  Grid grid;
-  grid.stride = static_cast<int>(options.stride_px);
-  grid.columns = (reference.picture.width + grid.stride - 1) / grid.stride;
-  grid.rows = (reference.picture.height + grid.stride - 1) / grid.stride;
-  for (int r = 0; r < grid.rows; ++r)
-    for (int c = 0; c < grid.columns; ++c) {
-      const int x = c * grid.stride, y = r * grid.stride;
-      const bool measured = reference.depth_mm[static_cast<std::size_t>(y * reference.picture.width + x)] > 0;
-      grid.vertex.push_back(measured ? static_cast<std::int32_t>(grid.at.size()) : -1);
-      if (measured) grid.at.push_back({x, y});
-    }
-  return grid;
-}
 
 double grey_at(const Image& picture, double x, double y) {
   x = std::clamp(x, 0.0, picture.width - 1.0);
@@ -97,38 +76,49 @@ void fill(std::vector<std::array<double, 4>>& values, std::vector<double>& weigh
   }
 }
 
+ScanGrid grid_of(const DepthScan& reference, const ScanMeshOptions& options) {
+  return scan_grid(reference, static_cast<int>(options.stride_px), options.longest_edge_mm);
+}
+
+// Where the flow brings a place: the mean of the displacements that the pixels about it have, by nearness; none where
+// the nearest pixel has none.
+std::optional<Vec2f> follow_flow(const FlowField& flow, const Vec2f& place) {
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(flow.width) + static_cast<std::size_t>(x);
+  };
+  if (!flow.valid[index(static_cast<int>(std::lround(place[0])), static_cast<int>(std::lround(place[1])))])
+    return std::nullopt;
+  const int left = static_cast<int>(place[0]), top = static_cast<int>(place[1]);
+  const float right_share = place[0] - static_cast<float>(left), lower_share = place[1] - static_cast<float>(top);
+  Vec2f sum{};
+  float weight = 0;
+  for (int y = top; y <= std::min(top + 1, flow.height - 1); ++y)
+    for (int x = left; x <= std::min(left + 1, flow.width - 1); ++x) {
+      if (!flow.valid[index(x, y)]) continue;
+      const float w = (x == left ? 1 - right_share : right_share) * (y == top ? 1 - lower_share : lower_share);
+      for (std::size_t k = 0; k < 2; ++k) sum[k] += w * flow.displacement_px[index(x, y)][k];
+      weight += w;
+    }
+  return Vec2f{place[0] + sum[0] / weight, place[1] + sum[1] / weight};
+}
+
 }  // namespace
 
 Mesh scan_mesh(const DepthScan& reference, const ScanMeshOptions& options) {
-  const Grid grid = grid_of(reference, options);
-  const ScanRays rays(reference.camera);
+  const ScanGrid grid = grid_of(reference, options);
   Mesh mesh;
-  for (const auto& [x, y] : grid.at) {
-    mesh.points_mm.push_back(
-        rays.point(x, y, reference.depth_mm[static_cast<std::size_t>(y * reference.picture.width + x)]));
+  mesh.points_mm = grid.point_mm;
+  for (const Vec2f& place : grid.place_px) {
+    const double x = static_cast<double>(place[0]), y = static_cast<double>(place[1]);
     const auto grey = static_cast<float>(grey_at(reference.picture, x, y) / 255);
     mesh.colors_srgb.push_back({grey, grey, grey});
-    mesh.uvs.push_back({(static_cast<float>(x) + 0.5f) / static_cast<float>(reference.picture.width),
-                        1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(reference.picture.height)});
+    mesh.uvs.push_back({(place[0] + 0.5f) / static_cast<float>(reference.picture.width),
+                        1 - (place[1] + 0.5f) / static_cast<float>(reference.picture.height)});
   }
-  const auto near = [&](std::int32_t a, std::int32_t b) {
-    const Vec3f &p = mesh.points_mm[static_cast<std::size_t>(a)], &q = mesh.points_mm[static_cast<std::size_t>(b)];
-    return static_cast<double>(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2])) <= options.longest_edge_mm;
-  };
-  const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-    if (a < 0 || b < 0 || c < 0 || !near(a, b) || !near(b, c) || !near(c, a)) return;
+  for (const auto& triangle : grid.triangles) {
     mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    for (const std::int32_t v : {a, b, c}) mesh.corners.push_back(static_cast<std::uint32_t>(v));
-  };
-  for (int r = 0; r + 1 < grid.rows; ++r)
-    for (int c = 0; c + 1 < grid.columns; ++c) {
-      const auto vertex = [&](int dr, int dc) {
-        return grid.vertex[static_cast<std::size_t>((r + dr) * grid.columns + c + dc)];
-      };
-      // Counter-clockwise seen from the camera: rows run downwards.
-      add(vertex(0, 0), vertex(1, 0), vertex(0, 1));
-      add(vertex(0, 1), vertex(1, 0), vertex(1, 1));
-    }
+    mesh.corners.insert(mesh.corners.end(), triangle.begin(), triangle.end());
+  }
   mesh.polygon_starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
   mesh.corner_uvs = mesh.corners;
   mesh.parts = {{"face", 0, static_cast<std::uint32_t>(mesh.polygon_count()), {1, 1, 1}, 0.1f, true}};
@@ -137,40 +127,36 @@ Mesh scan_mesh(const DepthScan& reference, const ScanMeshOptions& options) {
 
 SampleScanResult sample_scan(const DepthScan& reference, const DepthScan& target, const FlowField& flow,
                              const ScanMeshOptions& options) {
-  const Grid grid = grid_of(reference, options);
+  const ScanGrid grid = grid_of(reference, options);
   check_scan(target, "target");
   check(flow.width == reference.picture.width && flow.height == reference.picture.height, "flow is ", flow.width, " x ",
         flow.height, " pixels, reference ", reference.picture.width, " x ", reference.picture.height);
   const std::size_t count = reference.depth_mm.size();
   check(flow.displacement_px.size() == count && flow.valid.size() == count, "flow has ", flow.displacement_px.size(),
         " displacements and ", flow.valid.size(), " flags, expected ", count);
-  const ScanRays from(reference.camera), to(target.camera);
+  const ScanRays to(target.camera);
   std::vector<std::array<double, 4>> moved(grid.vertex.size(), {0, 0, 0, 0});  // displacement in mm, grey
   std::vector<double> known(grid.vertex.size(), 0);
-  std::vector<Vec3f> start(grid.at.size());
   double sampled = 0;
   for (std::size_t g = 0; g < grid.vertex.size(); ++g) {
     if (grid.vertex[g] < 0) continue;
     const auto v = static_cast<std::size_t>(grid.vertex[g]);
-    const auto [x, y] = grid.at[v];
-    const auto i = static_cast<std::size_t>(y * reference.picture.width + x);
-    start[v] = from.point(x, y, reference.depth_mm[i]);
-    if (!flow.valid[i]) continue;
-    const double px = x + static_cast<double>(flow.displacement_px[i][0]),
-                 py = y + static_cast<double>(flow.displacement_px[i][1]);
+    const std::optional<Vec2f> at = follow_flow(flow, grid.place_px[v]);
+    if (!at) continue;
+    const double px = static_cast<double>((*at)[0]), py = static_cast<double>((*at)[1]);
     const float depth = depth_at(target, px, py);
     if (!(depth > 0)) continue;
     const Vec3f p = to.point(px, py, depth);
-    for (std::size_t k = 0; k < 3; ++k) moved[g][k] = static_cast<double>(p[k] - start[v][k]);
+    for (std::size_t k = 0; k < 3; ++k) moved[g][k] = static_cast<double>(p[k] - grid.point_mm[v][k]);
     moved[g][3] = grey_at(target.picture, px, py);
     known[g] = 1;
     ++sampled;
   }
   if (sampled > 0) fill(moved, known, grid.columns, grid.rows);
   SampleScanResult result;
-  result.sampled = grid.at.empty() ? 0 : sampled / static_cast<double>(grid.at.size());
-  result.shape.points_mm = start;
-  result.texture = {std::max(static_cast<int>(grid.at.size()), 1), 1, 1, {}};
+  result.sampled = grid.point_mm.empty() ? 0 : sampled / static_cast<double>(grid.point_mm.size());
+  result.shape.points_mm = grid.point_mm;
+  result.texture = {std::max(static_cast<int>(grid.point_mm.size()), 1), 1, 1, {}};
   result.texture.pixels.assign(static_cast<std::size_t>(result.texture.width), 0);
   for (std::size_t g = 0; g < grid.vertex.size(); ++g) {
     if (grid.vertex[g] < 0) continue;

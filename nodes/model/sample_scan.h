@@ -17,9 +17,8 @@ struct ScanMeshOptions {
   double longest_edge_mm = 8;
 };
 
-// The mesh of a reference scan: its measured pixels at every stride_px-th row and column are the vertices, in reading
-// order (the vertices that sample_scan samples), neighbours of four make two triangles unless an edge is longer than
-// longest_edge_mm; colours are the picture's grey, uvs places in it.
+// The mesh of a reference scan: the vertices and triangles of scan_grid, which sample_scan samples; colours are the
+// picture's grey, uvs places in it.
 Mesh scan_mesh(const DepthScan& reference, const ScanMeshOptions& options = {});
 
 struct SampleScanResult {

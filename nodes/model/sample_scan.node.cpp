@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.sample_scan", &sample_scan, version{1},
+NODE("model.sample_scan", &sample_scan, version{2},
      doc{"Shape and texture vector of a scan: sampled in correspondence with a reference."},
      input{"reference", "The reference scan, cropped"}, input{"target", "An aligned scan, holes filled"},
      input{"flow", "From the reference to the target"},
