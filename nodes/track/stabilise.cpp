@@ -14,23 +14,81 @@ namespace {
 
 using Point = std::complex<double>;
 
+constexpr std::size_t smoothing_reach = 3;  // frames on either side
+constexpr std::size_t bridge_reach = 12;    // the same; a blink takes fewer
+
 struct Pair {
   Point from, to;
   double weight = 1;
   double depth_px = 0;  // of the point at rest
 };
 
-std::vector<Pair> pairs_of(const Landmarks& here, const Landmarks& rest, const Matrix* depths_px,
+// The rigid points of a frame, in the order of their names.
+struct RigidPoints {
+  std::vector<Point> places;
+  std::vector<bool> seen;
+
+  bool all() const { return std::find(seen.begin(), seen.end(), false) == seen.end(); }
+  Point mean_of(const std::vector<std::size_t>& points) const {
+    Point sum = 0;
+    for (const std::size_t i : points) sum += places[i];
+    return sum / static_cast<double>(points.size());
+  }
+};
+
+RigidPoints rigid_points(const Landmarks& here, const std::vector<std::string>& names) {
+  RigidPoints rigid;
+  for (const std::string& name : names) {
+    const Landmark* point = find_landmark(here, name);
+    rigid.seen.push_back(point != nullptr && point->valid);
+    rigid.places.push_back(rigid.seen.back() ? Point(point->x_px, point->y_px) : Point(0));
+  }
+  return rigid;
+}
+
+// Where frame t does not see all of them: from the nearest frames before and after that do, going evenly from the one
+// to the other and with the points that are seen all the while. A point that is lost in some frame between the two is
+// not believed in the others: lids carry the corner of an eye along before it is noticed.
+RigidPoints bridge(const std::vector<RigidPoints>& frames, std::size_t t) {
+  RigidPoints here = frames[t];
+  if (here.all()) return here;
+  const std::size_t first = t - std::min(t, bridge_reach), last = std::min(t + bridge_reach, frames.size() - 1);
+  std::size_t before = t, after = t;
+  while (before > first && !frames[before].all()) --before;
+  while (after < last && !frames[after].all()) ++after;
+  const bool has_before = frames[before].all(), has_after = frames[after].all();
+  if (!has_before && !has_after) return here;
+  std::vector<std::size_t> anchors, now;
+  for (std::size_t i = 0; i < here.seen.size(); ++i) {
+    bool always = true;
+    for (std::size_t k = before; k <= after; ++k) always = always && frames[k].seen[i];
+    if (always) anchors.push_back(i);
+    if (here.seen[i]) now.push_back(i);
+  }
+  if (anchors.empty()) anchors = now;
+  if (anchors.empty()) return here;
+  const double span = static_cast<double>(after - before);
+  const double share = !has_before ? 1 : !has_after ? 0 : static_cast<double>(t - before) / span;
+  for (std::size_t i = 0; i < here.seen.size(); ++i) {
+    if (std::find(anchors.begin(), anchors.end(), i) != anchors.end()) continue;
+    Point off = 0;
+    if (has_before) off += (1 - share) * (frames[before].places[i] - frames[before].mean_of(anchors));
+    if (has_after) off += share * (frames[after].places[i] - frames[after].mean_of(anchors));
+    here.places[i] = here.mean_of(anchors) + off;
+    here.seen[i] = true;
+  }
+  return here;
+}
+
+std::vector<Pair> pairs_of(const RigidPoints& here, const Landmarks& rest, const Matrix* depths_px,
                            const StabiliseOptions& options, double weight) {
   std::vector<Pair> pairs;
-  for (const std::string& name : options.rigid) {
-    const Landmark* to = find_landmark(rest, name);
-    check(to != nullptr, "rest has no point ", name, ", expected all rigid ones");
-    const Landmark* from = find_landmark(here, name);
+  for (std::size_t i = 0; i < options.rigid.size(); ++i) {
+    const Landmark* to = find_landmark(rest, options.rigid[i]);
+    check(to != nullptr, "rest has no point ", options.rigid[i], ", expected all rigid ones");
     const double depth_px =
         depths_px == nullptr ? 0 : depths_px->at(static_cast<std::size_t>(to - rest.points.data()), 0);
-    if (from != nullptr && from->valid)
-      pairs.push_back({{from->x_px, from->y_px}, {to->x_px, to->y_px}, weight, depth_px});
+    if (here.seen[i]) pairs.push_back({here.places[i], {to->x_px, to->y_px}, weight, depth_px});
   }
   return pairs;
 }
@@ -47,18 +105,23 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
           "depths_px is ", depths_px->rows, " x ", depths_px->columns,
           depths_px->values.size() == depths_px->rows * depths_px->columns ? "" : " with another number of values",
           ", expected ", rest.points.size(), " x 1 as rest has points");
-  std::vector<Pair> pairs = pairs_of(landmarks.centre(), rest, depths_px, options, 1);
+  std::vector<RigidPoints> rigid;
+  for (std::size_t i = 0; i < landmarks.size(); ++i) rigid.push_back(rigid_points(landmarks[i], options.rigid));
+  const std::size_t centre = landmarks.centre_index();
+  std::vector<Pair> pairs = pairs_of(bridge(rigid, centre), rest, depths_px, options, 1);
   Landmarks moved = landmarks.centre();
   if (pairs.empty()) {
     for (Landmark& point : moved.points) point.valid = false;
     return moved;
   }
   const bool solid = depths_px != nullptr && pairs.size() >= 2;
-  const auto middle = static_cast<double>(landmarks.centre_index());
-  for (std::size_t i = 0; i < landmarks.size() && options.smooth_frames > 0; ++i) {
-    if (i == landmarks.centre_index()) continue;
-    const double frames = (static_cast<double>(i) - middle) / options.smooth_frames;
-    const std::vector<Pair> more = pairs_of(landmarks[i], rest, depths_px, options, std::exp(-0.5 * frames * frames));
+  const std::size_t first = centre - std::min(centre, smoothing_reach);
+  const std::size_t last = std::min(centre + smoothing_reach, landmarks.size() - 1);
+  for (std::size_t i = first; i <= last && options.smooth_frames > 0; ++i) {
+    if (i == centre) continue;
+    const double frames = (static_cast<double>(i) - static_cast<double>(centre)) / options.smooth_frames;
+    const std::vector<Pair> more =
+        pairs_of(bridge(rigid, i), rest, depths_px, options, std::exp(-0.5 * frames * frames));
     if (more.size() == options.rigid.size()) pairs.insert(pairs.end(), more.begin(), more.end());
   }
   double total = 0, size = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
 #include "nodes/types/mesh.h"
 #include "nodes/types/mesh_points.h"
@@ -43,6 +44,20 @@ Sample simple_points(engine::Plugins& plugins, int variant) {
   return held(points);
 }
 
+// A speaker's points with the jaw, lower in every variant; the same whose jaw and lower lip hang lower than in any.
+void add_jaw(face::Landmarks& landmarks, double y_px) {
+  landmarks.points.push_back({"jaw_r", 26, y_px - 1, true});
+  landmarks.points.push_back({"chin", 32, y_px, true});
+  landmarks.points.push_back({"jaw_l", 38, y_px - 1, true});
+}
+const Maker jaw_points = changed<face::Landmarks>(
+    speaker_points, [](face::Landmarks& landmarks, int variant) { add_jaw(landmarks, 46 + 0.3 * variant); });
+const Maker hanging_points = changed<face::Landmarks>(speaker_points, [](face::Landmarks& landmarks, int variant) {
+  for (face::Landmark& point : landmarks.points)
+    if (point.y_px > 32.5) point.y_px += 0.5 + 0.1 * variant;
+  add_jaw(landmarks, 46.8 + 0.3 * variant);
+});
+
 const Registered meshik({
     .inputs =
         {
@@ -57,6 +72,8 @@ const Registered meshik({
             {"meshik.reconstruct_matrix.examples", matrices(4, 12)},
             {"meshik.reconstruct_matrix.faces", faces},
             {"meshik.landmark_depths.neutral", speaker_points},
+            {"meshik.raise_jaw.rest", hanging_points},
+            {"meshik.raise_jaw.landmarks", losing_points(jaw_points)},
             {"meshik.still_vertices.examples", half_still},
             {"meshik.carry_fine.simple_space", simple_space},
             {"meshik.carry_fine.binding", made_by("meshik.simplify", "binding")},
@@ -65,6 +82,7 @@ const Registered meshik({
         },
     .types = {{"mesh_space", made_by("meshik.prepare", "space")}},
     .params = {{"meshik.simplify.vertices", whole(200)}},
+    .values = {{"meshik.raise_jaw.highest_share", {0.95}}, {"meshik.raise_jaw.most", {0.001}}},
 });
 
 }  // namespace

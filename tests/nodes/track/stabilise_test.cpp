@@ -124,3 +124,41 @@ TEST(Stabilise, RejectsDepthsOfAnotherNumberOfPoints) {
   EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &empty),
                     "depths_px is 4 x 1 with another number of values, expected 4 x 1 as rest has points");
 }
+
+namespace {
+
+// A head that turns steadily while the corners of its eyes are lost in frames 3 to 6; in frames 4 and 5 lids have
+// carried one of them along.
+std::vector<Landmarks> blinking(const Matrix& depths_px) {
+  std::vector<Landmarks> frames;
+  for (int i = 0; i < 10; ++i) {
+    Landmarks seen = nodded(rest(), depths_px, 0.1 - 0.01 * i, 0.02 * i);
+    for (std::size_t k = 0; k < 2; ++k) seen.points[k].valid = i < 3 || i > 6 || (k == 1 && (i == 4 || i == 5));
+    if (i == 4 || i == 5) seen.points[1].y_px += 3;
+    frames.push_back(seen);
+  }
+  return frames;
+}
+
+}  // namespace
+
+TEST(Stabilise, BridgesABlinkOfATurnedHead) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}};
+  const std::vector<Landmarks> frames = blinking(depths);
+  for (const std::size_t at : {3u, 4u, 5u, 6u}) {
+    const Landmark lip = stabilise(window(frames, at), rest(), &depths, {.smooth_frames = 0}).points[3];
+    EXPECT_NEAR(lip.x_px, 140, 0.5) << "frame " << at;
+    EXPECT_NEAR(lip.y_px, 170, 0.5) << "frame " << at;
+  }
+  const std::vector<Landmarks> alone = {frames[5]};
+  EXPECT_GT(std::abs(stabilise(window(alone, 0), rest(), &depths).points[3].y_px - 170), 1);
+}
+
+TEST(Stabilise, BridgesABlinkAtTheEndFromOneSide) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}};
+  std::vector<Landmarks> frames = blinking(depths);
+  frames.resize(5);
+  const Landmark lip = stabilise(window(frames, 4), rest(), &depths, {.smooth_frames = 0}).points[3];
+  EXPECT_NEAR(lip.x_px, 140, 1);
+  EXPECT_NEAR(lip.y_px, 170, 1);
+}
