@@ -5,56 +5,52 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/mmm/spoken_steps.h"
 #include "nodes/trajectory/gaussian_trajectory.h"
+#include "nodes/trajectory/speak_gaussian.h"
 
 namespace face::mmm {
 namespace {
 
 using Eigen::Index;
 
-bool is_bilabial_closure(const std::string& label) {
-  return label == "P.c" || label == "B.c" || label == "M" || label == "P" || label == "B";
+std::size_t find_label(const PhoneStatistics& statistics, const std::string& label) {
+  const auto found = std::find_if(statistics.phones.begin(), statistics.phones.end(),
+                                  [&](const PhoneStatistic& s) { return s.label == label; });
+  return static_cast<std::size_t>(found - statistics.phones.begin());
 }
 
-// So much stronger than all else that what is left of the error is far below a weight's last bit.
-constexpr double hold = 1e9;
-
-struct Frames {
-  std::vector<std::size_t> label;  // per frame, place in the statistics
-  std::vector<double> pull;
-};
-
-// Which phone pulls which frame, as in trajectory::speak_gaussian.
-Frames frames_of(const Timeline& timeline, const Phones& phones, const std::vector<std::size_t>& label_of_phone,
-                 const RefineSpeakerOptions& options, double smoothness) {
-  Frames frames;
-  std::size_t p = 0;
-  for (const double time_s : timeline.time_s) {
-    while (p + 1 < phones.phones.size() && phones.phones[p].end_s <= time_s) ++p;
-    frames.label.push_back(label_of_phone[p]);
+// The statistics, and one of the silence in which speech begins and ends: the mean of its frames, as spread as others.
+PhoneStatistics with_edges(PhoneStatistics statistics, const std::vector<std::string>& labels, const SpokenSteps& path,
+                           const std::vector<std::vector<float>>& values, std::size_t steps) {
+  PhoneStatistic edge = trajectory::find_statistic(statistics, "SIL");
+  edge.label = "SIL.edge";
+  edge.frames = 0;
+  std::fill(edge.mean.begin(), edge.mean.end(), 0.0);
+  for (std::size_t t = 0; t < values.size(); ++t) {
+    if (values[t].empty() || labels[path.phone[t * steps]] != edge.label) continue;
+    ++edge.frames;
+    for (std::size_t k = 0; k < edge.mean.size(); ++k) edge.mean[k] += static_cast<double>(values[t][k]);
   }
-  frames.pull.assign(frames.label.size(), 1.0);
-  for (std::size_t i = 0; options.hold_closures && i < phones.phones.size(); ++i) {
-    if (!is_bilabial_closure(phones.phones[i].label)) continue;
-    const double middle_s = (phones.phones[i].start_s + phones.phones[i].end_s) / 2;
-    const auto next = std::lower_bound(timeline.time_s.begin(), timeline.time_s.end(), middle_s);
-    auto at = std::min(static_cast<std::size_t>(next - timeline.time_s.begin()), timeline.time_s.size() - 1);
-    if (at > 0 && middle_s - timeline.time_s[at - 1] < timeline.time_s[at] - middle_s) --at;
-    frames.label[at] = label_of_phone[i];
-    frames.pull[at] = hold * (1 + smoothness);
-  }
-  return frames;
+  if (edge.frames == 0) return statistics;
+  for (double& mean : edge.mean) mean /= static_cast<double>(edge.frames);
+  const std::size_t before = find_label(statistics, edge.label);
+  if (before < statistics.phones.size())
+    statistics.phones[before] = std::move(edge);
+  else
+    statistics.phones.push_back(std::move(edge));
+  return statistics;
 }
 
 }  // namespace
 
 PhoneStatistics refine_speaker(const engine::Seq<Weights>& weights, const Timeline& timeline, const Phones& phones,
                                const PhoneStatistics& statistics, const RefineSpeakerOptions& options) {
-  const std::size_t count = timeline.time_s.size(), dims = statistics.all.mean.size(),
-                    labels = statistics.phones.size();
+  const std::size_t count = timeline.time_s.size(), dims = statistics.all.mean.size();
   check(weights.size() == count, "there are ", weights.size(), " frames of weights and ", count,
         " times, expected as many");
   check(!phones.phones.empty(), "there are no phones");
@@ -65,16 +61,13 @@ PhoneStatistics refine_speaker(const engine::Seq<Weights>& weights, const Timeli
           " and ", dims * dims);
   check(statistics.all.covariance.size() == dims * dims, "the statistic of all speech has ",
         statistics.all.covariance.size(), " covariances, expected ", dims * dims);
-  // The last one stands for labels that have no statistic of their own.
-  std::vector<std::size_t> label_of_phone;
-  for (const Phone& phone : phones.phones) {
-    const auto found = std::find_if(statistics.phones.begin(), statistics.phones.end(),
-                                    [&](const PhoneStatistic& s) { return s.label == phone.label; });
-    label_of_phone.push_back(static_cast<std::size_t>(found - statistics.phones.begin()));
-  }
+  check(options.steps >= 1, "steps is ", options.steps, ", expected at least 1");
+  const std::vector<std::string> spoken = spoken_labels(phones);
+  const auto steps = static_cast<std::size_t>(options.steps);
+  const SpokenSteps path =
+      spoken_steps(phones, step_times(timeline.time_s, timeline.duration_s, steps), options.hold_closures);
   const double rate_hz = static_cast<double>(count) / timeline.duration_s;
-  const double smoothness = trajectory::smoothness_at(options.smoothness, 30, rate_hz);
-  const Frames frames = frames_of(timeline, phones, label_of_phone, options, smoothness);
+  const double smoothness = trajectory::smoothness_at(options.smoothness, 30, rate_hz * static_cast<double>(steps));
 
   std::vector<std::vector<float>> values;
   for (std::size_t t = 0; t < count; ++t) {
@@ -84,23 +77,34 @@ PhoneStatistics refine_speaker(const engine::Seq<Weights>& weights, const Timeli
     for (const float value : values.back())
       check(std::isfinite(value), "frame ", weights.id(t), " has a weight of ", value, ", expected finite numbers");
   }
-  PhoneStatistics refined = statistics;
+  const PhoneStatistics plain_ones = with_edges(statistics, spoken, path, values, steps);
+  PhoneStatistics refined = plain_ones;
+  const std::size_t labels = plain_ones.phones.size();
+  // The last one stands for labels that have no statistic of their own.
+  std::vector<std::size_t> label_of_phone;
+  for (const std::string& label : spoken) {
+    const PhoneStatistic& found = trajectory::find_statistic(plain_ones, label);
+    label_of_phone.push_back(find_label(plain_ones, found.label));
+  }
+  const auto label_at = [&](std::size_t step) { return label_of_phone[path.phone[step]]; };
   const auto statistic = [&](std::size_t label) -> const PhoneStatistic& {
-    return label < labels ? statistics.phones[label] : statistics.all;
+    return label < labels ? plain_ones.phones[label] : plain_ones.all;
   };
   for (std::size_t d = 0; d < dims; ++d) {
     // All columns of A at once, side by side as dimensions of one trajectory.
-    trajectory::TrajectoryTargets targets{count, labels + 1, {}, {}};
-    targets.precision.reserve(count * (labels + 1));
-    targets.target.reserve(count * (labels + 1));
-    for (std::size_t t = 0; t < count; ++t)
+    trajectory::TrajectoryTargets targets{count * steps, labels + 1, {}, {}};
+    targets.precision.reserve(count * steps * (labels + 1));
+    targets.target.reserve(count * steps * (labels + 1));
+    for (std::size_t t = 0; t < count * steps; ++t) {
+      const double variance = statistic(label_at(t)).covariance[d * dims + d];
+      check(variance > 0, "the statistic of \"", statistic(label_at(t)).label, "\" has a variance of ", variance,
+            ", expected more than 0");
+      const double pull = path.held[t] ? held_pull * (1 + smoothness) : 1;
       for (std::size_t k = 0; k <= labels; ++k) {
-        const double variance = statistic(frames.label[t]).covariance[d * dims + d];
-        check(variance > 0, "the statistic of \"", statistic(frames.label[t]).label, "\" has a variance of ", variance,
-              ", expected more than 0");
-        targets.precision.push_back(frames.pull[t] / variance);
-        targets.target.push_back(frames.label[t] == k ? 1 : 0);
+        targets.precision.push_back(pull / variance);
+        targets.target.push_back(label_at(t) == k ? 1 : 0);
       }
+    }
     const std::vector<double> response = trajectory::solve_trajectory(targets, smoothness);
     const auto width = static_cast<Index>(labels + 1);
     Eigen::VectorXd plain(width);
@@ -109,7 +113,7 @@ PhoneStatistics refine_speaker(const engine::Seq<Weights>& weights, const Timeli
     Eigen::VectorXd right = Eigen::VectorXd::Zero(width);
     for (std::size_t t = 0; t < count; ++t) {
       if (values[t].empty()) continue;
-      const Eigen::Map<const Eigen::VectorXd> row(&response[t * (labels + 1)], width);
+      const Eigen::Map<const Eigen::VectorXd> row(&response[t * steps * (labels + 1)], width);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
       right += row * (static_cast<double>(values[t][d]) - row.dot(plain));
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+
 #include "engine/port.h"
 #include "nodes/types/phone_statistics.h"
 #include "nodes/types/phones.h"
@@ -9,9 +11,10 @@
 namespace face::mmm {
 
 struct RefineSpeakerOptions {
-  double smoothness = 10;      // of the paths that are spoken with it, at 30 frames per second
-  bool hold_closures = false;  // as these are
-  double restraint = 1;        // frames that a phone's plain mean counts for
+  double smoothness = 3;  // of the paths that are spoken with it, at 30 frames per second
+  std::int64_t steps = 8;
+  bool hold_closures = true;
+  double restraint = 0.5;  // frames that a phone's plain mean counts for
 };
 
 // Means of the phones so that the spoken path, not the phones' middle, comes near the frames (Ezzat, Geiger, Poggio,
@@ -19,8 +22,9 @@ struct RefineSpeakerOptions {
 // on that error). A path through plain means stays far from short sounds that their neighbours pull away, and from
 // closed lips in between open ones.
 // Differs from the paper: only means change, and they are found at once: for given variances the path of
-// trajectory.speak_gaussian (diagonal covariance) is linear in them, x = A mu, so that the best are the least squares
-// solution of |x - A mu|^2 + restraint |mu - mu_plain|^2.
+// mmm.speak_path is linear in them, x = A mu, so that the best are the least squares
+// solution of |x - A mu|^2 + restraint |mu - mu_plain|^2. The silence at both ends gets a statistic of its own
+// ("SIL.edge", see spoken_steps.h). smoothness, steps, hold_closures: those of the paths that will be spoken.
 // weights: of the frames, empty where there are none. statistics: of trajectory.train_phones on the same; labels that
 // no frame has stay as they are.
 PhoneStatistics refine_speaker(const engine::Seq<Weights>& weights, const Timeline& timeline, const Phones& phones,

@@ -107,6 +107,8 @@ TEST_F(SpeechToVideo, PointsOfAVideoMoveAHead) {
   EXPECT_TRUE(fs::exists(fs::path(path("out")) / "compare.mp4"));
   // The mean over all vertices; a head that is not moved at all is as far off as the jaw opens on average.
   EXPECT_LT(mean(column("mesh.csv", 4)), 1.5) << read("out/mesh.csv");
+  // Points of the mouth are put where its lips are.
+  EXPECT_LT(mean(column("track.csv", 4)), 0.8 * mean(column("flow.csv", 4))) << read("out/track.csv");
 }
 
 TEST_F(SpeechToVideo, LearningGoesOnWhereItWasKilled) {
