@@ -46,7 +46,7 @@ std::string remedy(const std::string& suffix) {
       suffix == ".blend" || suffix == ".dae" || suffix == ".3ds" || suffix == ".stl" || suffix == ".off" ||
       suffix == ".wrl")
     return "; open it in Blender and export PLY or OBJ";
-  if (suffix == ".glb" || suffix == ".gltf")
+  if (suffix == ".glb" || suffix == ".gltf" || suffix == ".vrm")
     return "; decode.rig reads heads with morph targets, decode.rig_mesh their mesh";
   if (suffix == ".npy" || suffix == ".pc2") return "; decode.points reads the vertices of an animation";
   if (suffix == ".pkl" || suffix == ".npz")

@@ -73,7 +73,7 @@ MorphableModel read_model(const engine::File& file, const engine::File* expressi
     model = read_eos_model(file, expressions, options.unit);
   else if (suffix == ".npz")
     model = read_flame_model(file, static_cast<std::size_t>(options.identities), options.unit);
-  else if (suffix == ".glb" || suffix == ".gltf")
+  else if (suffix == ".glb" || suffix == ".gltf" || suffix == ".vrm")
     model = of_rig(read_gltf_rig(file, {}, options.unit, false));
   else if (suffix == ".pkl")
     fail(title_of(file),

@@ -276,11 +276,13 @@ TEST_F(Experiments, TheDoctorLooksAtAFileOfOnesOwn) {
   EXPECT_EQ(read("checked/names.json"), "{}\n");
   const test::Ended again = command({"doctor", "out/head.glb", "--out", "checked"});
   EXPECT_NE(again.output.find("checked/names.json is there already and was left alone"), std::string::npos);
+  std::filesystem::copy_file(folder() / "out/head.glb", folder() / "avatar.vrm");
+  EXPECT_EQ(command({"doctor", "avatar.vrm", "--out", "avatar"}).code, 0);
   write("bad.glb", "no");
   EXPECT_EQ(command({"doctor", "bad.glb", "--out", "other"}).code, 1);
   EXPECT_EQ(command({"doctor", "missing.glb"}).code, 2);
   const test::Ended unknown = command({"doctor", "still.csv"});
-  EXPECT_EQ(unknown.output, "error: command line: doctor still.csv: expected .glb, .gltf, a folder\n");
+  EXPECT_EQ(unknown.output, "error: command line: doctor still.csv: expected .glb, .gltf, .vrm, a folder\n");
 }
 
 TEST_F(Experiments, BashCompletesCommandsOptionsAndFiles) {
