@@ -7,6 +7,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/trajectory/gaussian_trajectory.h"
+#include "nodes/trajectory/lips_shut.h"
 
 namespace face::trajectory {
 namespace {
@@ -25,10 +26,6 @@ double pull(const Phone& phone, const Phones& phones, Normalise normalise) {
 std::vector<std::vector<std::string>> alike_on_the_lips() {
   return {{"P", "B", "M"},         {"F", "V"}, {"TH", "DH"}, {"T", "D", "N"}, {"K", "G", "NG"}, {"S", "Z"},
           {"SH", "ZH", "CH", "JH"}};
-}
-
-bool is_bilabial_closure(const std::string& label) {
-  return label == "P.c" || label == "B.c" || label == "M" || label == "P" || label == "B";
 }
 
 // Block tridiagonal: (W_t + lambda neighbours) x_t - lambda x_(t-1) - lambda x_(t+1) = W_t mu_t, O(frames x dims^3).
@@ -78,6 +75,7 @@ const PhoneStatistic& find_statistic(const PhoneStatistics& statistics, const st
 Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics, engine::SeqWriter<Weights>& weights,
                         const SpeakGaussianOptions& options) {
   check(!phones.phones.empty(), "there are no phones to speak");
+  check(options.closing_s >= 0 && options.closing_s <= 1, "closing_s is ", options.closing_s, ", expected 0 to 1");
   const std::size_t dims = statistics.all.mean.size(), frames = frame_count(phones, options.rate_hz);
   check(dims > 0, "the statistics are of no animation parameters");
   for (const PhoneStatistic& phone : statistics.phones)
@@ -108,8 +106,11 @@ Timeline speak_gaussian(const Phones& phones, const PhoneStatistics& statistics,
     phone_of[std::min(frame, frames - 1)] = p;
     held[std::min(frame, frames - 1)] = true;
   }
+  std::vector<double> shut(frames, 0.0);
+  for (std::size_t t = 0; options.closing_s > 0 && options.closures == Closures::rest && t < frames; ++t)
+    shut[t] = lips_shut(phones, static_cast<double>(t) / options.rate_hz, options.closing_s);
   const auto target = [&](std::size_t t, std::size_t k) {
-    return held[t] && options.closures == Closures::rest ? 0.0 : used[phone_of[t]]->mean[k];
+    return held[t] && options.closures == Closures::rest ? 0.0 : (1 - shut[t]) * used[phone_of[t]]->mean[k];
   };
   // So much stronger than all else that what is left of the error is far below a weight's last bit.
   constexpr double hold = 1e9;

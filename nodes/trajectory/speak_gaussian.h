@@ -26,6 +26,9 @@ struct SpeakGaussianOptions {
   CovarianceUse covariance = CovarianceUse::diagonal;
   Normalise normalise = Normalise::none;
   Closures closures = Closures::free;
+  // With closures at rest: time that lips take to shut before a closure and to part after it, in which the phones there
+  // are pulled towards the rest as well; 0 = the closure's middle alone is.
+  double closing_s = 0;
 };
 
 // The statistic of a label: its own, else that of the whole phone or of its closure or release, else that of a

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::trajectory;
 
-NODE("trajectory.speak_gaussian", &speak_gaussian, version{1},
+NODE("trajectory.speak_gaussian", &speak_gaussian, version{2},
      doc{"Turns timed phones into a trained speaker's animation: the smoothest path through the Gaussians of the "
          "phones."},
      input{"phones", "What is said when"}, input{"statistics", "The speaker, from trajectory.train_phones"},
@@ -22,4 +22,7 @@ NODE("trajectory.speak_gaussian", &speak_gaussian, version{1},
            {{"free", Closures::free}, {"trained", Closures::trained}, {"rest", Closures::rest}},
            "Whether the middle of every P B M is held exactly: free: no, as published; trained: where training had it; "
            "rest: at 0, for parameters that count from the shut mouth"),
+     param(
+         "closing_s", &SpeakGaussianOptions::closing_s, range{0, 1}, unit{"s"},
+         "With closures at rest: how long before a closure lips begin to shut, and how long after it they have parted"),
      output("timeline", "Time of every frame"), output("weights", "Animation parameters of every frame"));

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "nodes/base/check.h"
+#include "nodes/trajectory/lips_shut.h"
 
 namespace face::trajectory {
 namespace {
@@ -13,24 +14,26 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Of frames x = share mu + noise.
 struct Sums {
   std::int64_t frames = 0;
+  double weight = 0;  // sum of share^2
   VectorXd sum;
   MatrixXd squares;
 
-  void add(const VectorXd& x) {
+  void add(const VectorXd& x, double share = 1) {
     if (frames++ == 0) {
       sum = VectorXd::Zero(x.size());
       squares = MatrixXd::Zero(x.size(), x.size());
     }
-    sum += x;
+    weight += share * share;
+    sum += share * x;
     squares += x * x.transpose();
   }
-  VectorXd mean() const { return sum / static_cast<double>(frames); }
+  VectorXd mean() const { return sum / weight; }
   // About `centre`, which need not be the mean.
   MatrixXd scatter(const VectorXd& centre) const {
-    return squares - sum * centre.transpose() - centre * sum.transpose() +
-           static_cast<double>(frames) * centre * centre.transpose();
+    return squares - sum * centre.transpose() - centre * sum.transpose() + weight * centre * centre.transpose();
   }
 };
 
@@ -49,7 +52,9 @@ PhoneStatistics train_phones(const engine::Seq<Weights>& weights, const Timeline
                              const TrainPhonesOptions& options) {
   check(weights.size() == timeline.time_s.size(), "there are ", weights.size(), " frames of weights and ",
         timeline.time_s.size(), " times, expected as many");
-  std::map<std::string, Sums> by_phone;
+  check(options.closing_s >= 0 && options.closing_s <= 1, "closing_s is ", options.closing_s, ", expected 0 to 1");
+  constexpr double least_share = 0.1;
+  std::map<std::string, Sums> by_phone, by_free_phone;
   // Sums are about the first frame, so that what all have in common costs no digits.
   Sums all;
   VectorXd origin;
@@ -71,7 +76,12 @@ PhoneStatistics train_phones(const engine::Seq<Weights>& weights, const Timeline
     check(x.size() == origin.size(), "frame ", weights.id(f), " has ", x.size(), " weights, expected ", origin.size(),
           " as the first one");
     all.add(x - origin);
-    if (phones.phones[phone].start_s <= middle_s) by_phone[phones.phones[phone].label].add(x - origin);
+    if (phones.phones[phone].start_s > middle_s) continue;
+    const std::string& label = phones.phones[phone].label;
+    by_phone[label].add(x - origin);
+    if (options.closing_s == 0) continue;
+    const double share = is_bilabial_closure(label) ? 1 : 1 - lips_shut(phones, middle_s, options.closing_s);
+    if (share >= least_share) by_free_phone[label].add(x - share * origin, share);
   }
   check(all.frames > 0, "no frame with weights lies within the phones");
 
@@ -79,9 +89,9 @@ PhoneStatistics train_phones(const engine::Seq<Weights>& weights, const Timeline
   const MatrixXd common = all.scatter(all.mean()) / static_cast<double>(all.frames);
   result.all = statistic("", all.frames, all.mean() + origin, common, options.least_sigma);
   const auto prior = static_cast<double>(options.prior_frames);
+  for (const auto& [label, sums] : by_free_phone) by_phone[label] = sums;
   for (const auto& [label, sums] : by_phone) {
-    const MatrixXd covariance =
-        (sums.scatter(sums.mean()) + prior * common) / (static_cast<double>(sums.frames) + prior);
+    const MatrixXd covariance = (sums.scatter(sums.mean()) + prior * common) / (sums.weight + prior);
     result.phones.push_back(statistic(label, sums.frames, sums.mean() + origin, covariance, options.least_sigma));
   }
   return result;

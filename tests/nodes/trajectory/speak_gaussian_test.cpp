@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/base/random.h"
+#include "nodes/trajectory/lips_shut.h"
 #include "nodes/trajectory/train_phones.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -174,6 +175,93 @@ TEST(SpeakGaussian, TakesTheNearestStatisticOfAPhoneThatWasNotSeen) {
   of_m.phones[1].label = "M";
   EXPECT_EQ(find_statistic(of_m, "P.c").label, "M");
   EXPECT_EQ(find_statistic(of_m, "P.r").label, "");
+}
+
+// "abaSa" said again and again: A is 1, the lips of B shut and part within 0.1 s, S is 0.2.
+struct Abasa {
+  Phones phones;
+  Timeline timeline;
+  std::vector<Weights> frames;
+
+  Abasa() {
+    for (int i = 0; i < 40; ++i)
+      for (const char* label : {"AA", "B.c", "AA", "S"}) {
+        const double start_s = phones.duration_s;
+        phones.duration_s += 0.16;
+        phones.phones.push_back({label, start_s, phones.duration_s, "", 0});
+      }
+    timeline.duration_s = phones.duration_s;
+    for (int f = 0; f < static_cast<int>(phones.duration_s * 30); ++f) {
+      timeline.time_s.push_back(f / 30.0);
+      const double middle_s = (f + 0.5) / 30;
+      const auto phone = static_cast<std::size_t>(middle_s / 0.16);
+      const std::string& label = phones.phones[std::min(phone, phones.phones.size() - 1)].label;
+      const double wanted = label == "AA" ? 1 : label == "S" ? 0.2 : 0;
+      frames.push_back({{static_cast<float>((1 - lips_shut(phones, middle_s, 0.1)) * wanted)}});
+    }
+  }
+};
+
+TEST(TrainPhones, DoesNotBlameAVowelForTheClosureBesideIt) {
+  const Abasa said;
+  const auto vowel = [&](double closing_s) {
+    TrainPhonesOptions options;
+    options.closing_s = closing_s;
+    return train_phones(engine::Seq<Weights>(said.frames), said.timeline, said.phones, options).phones[0];
+  };
+  EXPECT_LT(vowel(0).mean[0], 0.8);
+  EXPECT_NEAR(vowel(0.1).mean[0], 1, 1e-5);
+  EXPECT_LT(vowel(0.1).frames, vowel(0).frames);
+}
+
+TEST(TrainPhones, KeepsThePlainMeanOfAPhoneThatIsNeverFree) {
+  Abasa said;
+  TrainPhonesOptions options;
+  for (Phone& phone : said.phones.phones) {
+    if (phone.label != "B.c") continue;
+    phone.start_s -= 0.16;  // over the whole of the A before
+    phone.end_s += 0.16;
+  }
+  const auto frames = engine::Seq<Weights>(said.frames);
+  const PhoneStatistics plain = train_phones(frames, said.timeline, said.phones, options);
+  options.closing_s = 0.01;
+  const PhoneStatistics free = train_phones(frames, said.timeline, said.phones, options);
+  ASSERT_EQ(free.phones.size(), plain.phones.size());
+  EXPECT_EQ(free.phones[0].mean, plain.phones[0].mean);
+}
+
+TEST(LipsShut, RisesBeforeAClosureAndFallsAfterIt) {
+  Phones phones;
+  phones.phones = {{"AA", 0, 1, "", 0}, {"M", 1, 1.2, "", 0}, {"AA", 1.2, 2, "", 0}, {"T.c", 2, 2.1, "", 0}};
+  EXPECT_EQ(lips_shut(phones, 0.89, 0.1), 0);
+  EXPECT_NEAR(lips_shut(phones, 0.95, 0.1), 0.5, 1e-9);
+  for (const double time_s : {1.0, 1.1, 1.2}) EXPECT_EQ(lips_shut(phones, time_s, 0.1), 1);
+  EXPECT_NEAR(lips_shut(phones, 1.225, 0.1), 0.84375, 1e-9);
+  EXPECT_EQ(lips_shut(phones, 2.05, 0.1), 0);
+  EXPECT_EQ(lips_shut(phones, 0.99, 0), 0);
+  EXPECT_EQ(lips_shut({}, 0, 0.1), 0);
+}
+
+TEST(SpeakGaussian, ShutsAndPartsLipsOverTheTimeThatTheyTake) {
+  const Abasa said;
+  TrainPhonesOptions train;
+  train.closing_s = 0.1;
+  const PhoneStatistics statistics = train_phones(engine::Seq<Weights>(said.frames), said.timeline, said.phones, train);
+  SpeakGaussianOptions options;
+  options.smoothness = 1e-3;
+  options.closures = Closures::rest;
+  const auto rms = [&] {
+    const std::vector<Weights> spoken = speak(said.phones, statistics, options);
+    double sum = 0;
+    for (std::size_t t = 0; t + 1 < spoken.size(); ++t) {
+      const double between = (said.frames[t].values[0] + said.frames[t > 0 ? t - 1 : 0].values[0]) / 2;
+      sum += std::pow(static_cast<double>(spoken[t].values[0]) - between, 2);
+    }
+    return std::sqrt(sum / static_cast<double>(spoken.size()));
+  };
+  const double at_once = rms();
+  options.closing_s = 0.1;
+  EXPECT_LT(rms(), 0.5 * at_once);
 }
 
 TEST(SpeakGaussian, RejectsStatisticsThatAreNone) {
