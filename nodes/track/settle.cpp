@@ -21,10 +21,18 @@ struct Layout {
 
 // The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two
 // dimensions as complex numbers), applied to all. A translation where fewer than two are seen. Where two rigid points
-// are seen, these alone decide.
-Layout carry_layout(const Landmarks& start, const std::vector<Sighting>& sightings,
-                    const std::vector<std::size_t>& rigid, const std::vector<double>& depths_px) {
+// are seen or carried, these alone decide.
+Layout carry_layout(const Landmarks& start, std::vector<Sighting> sightings, const Bonds& bonds) {
+  const std::vector<std::size_t>& rigid = bonds.rigid;
+  const std::vector<double>& depths_px = bonds.depths_px;
   const auto is_seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
+  constexpr double trust_in_carried = 0.25;
+  std::vector<double> trust(sightings.size(), 1);
+  for (const std::size_t i : rigid) {
+    if (bonds.carried.empty() || is_seen(i)) continue;
+    sightings[i] = bonds.carried[i];
+    trust[i] = trust_in_carried;
+  }
   const bool by_rigid = std::count_if(rigid.begin(), rigid.end(), is_seen) >= 2;
   Place start_mean = 0, seen_mean = 0, product = 0;
   double count = 0, square = 0;
@@ -49,7 +57,7 @@ Layout carry_layout(const Landmarks& start, const std::vector<Sighting>& sightin
   if (by_rigid && !depths_px.empty() && std::abs(out.turn) > 0) {
     std::vector<SolidPoint> points;
     for (const std::size_t i : rigid)
-      if (is_seen(i)) points.push_back({at(i), Place(sightings[i].x_px, sightings[i].y_px), depths_px[i]});
+      if (is_seen(i)) points.push_back({at(i), Place(sightings[i].x_px, sightings[i].y_px), depths_px[i], trust[i]});
     const SolidHead head = find_solid_head(points, out.turn);
     for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(head.seen(at(i), depths_px[i]));
     out.turn = Place(head.turn[0] + head.turn[4], head.turn[3] - head.turn[1]) / 2.0;
@@ -82,7 +90,7 @@ std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>
         start.points.size());
   const std::size_t count = sightings.size();
   if (count == 0) return {};
-  const Layout layout = carry_layout(start, sightings, bonds.rigid, bonds.depths_px);
+  const Layout layout = carry_layout(start, sightings, bonds);
   const double spacing = median_spacing(start);
 
   // Unknowns: offsets from the layout, x then y of each point; then the size of each mode.

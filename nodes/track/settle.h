@@ -22,6 +22,8 @@ struct Bonds {
   double slack_px = 2;                  // usual distance from such a shape of a point that takes part in it
   std::vector<std::size_t> rigid = {};  // points that carry the layout where two of them are seen; else all do
   std::vector<double> depths_px = {};   // of all points, towards the viewer: the layout is a solid; {} = it is flat
+  std::vector<Sighting> carried =
+      {};  // of all points: where rigid ones that are not seen are taken to be; {} = nowhere
 };
 
 // Places all points at once: each near where it was seen, as surely as it was seen, and with the same offset from the

@@ -46,8 +46,37 @@ TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now
   return result;
 }
 
+// Where rigid points that are not seen are now: a head hardly turns from one frame to the next, so they go with those
+// that are seen. Without them one point would have to tell how the head is turned.
+std::vector<Sighting> carry_unseen(const Knowledge& known, const std::vector<Landmark>& before, const Seen& seen) {
+  double dx_px = 0, dy_px = 0, count = 0;
+  for (const std::size_t i : known.bonds.rigid) {
+    if (!is_seen(seen.sightings[i])) continue;
+    dx_px += seen.sightings[i].x_px - before[i].x_px;
+    dy_px += seen.sightings[i].y_px - before[i].y_px;
+    ++count;
+  }
+  if (count == 0) return {};
+  constexpr double error_px = 2;
+  std::vector<Sighting> carried(before.size());
+  for (const std::size_t i : known.bonds.rigid) {
+    carried[i] = {before[i].x_px + dx_px / count, before[i].y_px + dy_px / count};
+    carried[i].xx = carried[i].yy = 1 / (error_px * error_px);
+  }
+  return carried;
+}
+
+Seen seen_before(const std::vector<Landmark>& points) {
+  Seen seen;
+  for (const Landmark& point : points) {
+    const double sure = point.valid ? 1 : 0;
+    seen.sightings.push_back({point.x_px, point.y_px, sure, 0, sure});
+  }
+  return seen;
+}
+
 // The points as they are without corrections.
-void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, const Grey& before, const Grey& now,
+void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const Grey& before, const Grey& now,
              TrackKltResult& result) {
   auto& points = result.followed.points;
   const bool was_valid = result.valid, even = is_even(now);
@@ -56,11 +85,13 @@ void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, c
   seen.likeness.assign(points.size(), 0);
   for (const Landmark& point : points) seen.sightings.push_back({point.x_px, point.y_px});
   if (was_valid && !even) {
+    known.bonds.carried = carry_unseen(known, points, seen_before(points));
     seen = follow(known, flow, before, points, leap(known, now, result.patches, seen.sightings));
     anchor(known, now, result.patches, seen);
     // A face that moves fast over a patterned ground looks like a cut, but is followed.
     const auto kept = std::count_if(seen.sightings.begin(), seen.sightings.end(), is_seen);
     cut = 2 * kept < static_cast<std::ptrdiff_t>(points.size()) && is_cut(before, now);
+    if (!cut) known.bonds.carried = carry_unseen(known, points, seen);
     if (!cut) recover(known, now, result.patches, known.options.search_px, seen);
   }
   if ((!was_valid || cut) && !even) seen = find_again(known, now, result.face, result.patches);
@@ -77,7 +108,9 @@ void advance(const Knowledge& known, const FlowPair& flow, const Image& frame, c
   result.state = even ? "even" : cut ? "cut" : !result.valid ? "lost" : was_valid ? "followed" : "found";
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!result.valid) points[i].valid = false, result.confidence.at(i, 0) = 0;
-    if (points[i].valid) points[i] = {points[i].name, seen.sightings[i].x_px, seen.sightings[i].y_px, true};
+    const Sighting& place = seen.sightings[i];
+    const bool goes_along = result.valid && is_inside(place.x_px, place.y_px, now.width, now.height);
+    if (goes_along) points[i].x_px = place.x_px, points[i].y_px = place.y_px;
   }
 }
 

@@ -58,8 +58,10 @@ struct TrackKltResult {
 // all points are of the 18-point layout, so that a turn of the head does not turn the layout (solid_head.h). A rigid
 // point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
 //
-// A point that is not valid keeps its last good place. A frame without contrast, after a cut, or in which fewer than a
-// third of the points are seen is not valid, until the face is found again, as large and as upright as at the start.
+// A point that is not valid goes with the others to where they say that it is, within the picture; where nothing is
+// seen it keeps its place. Rigid points that are not seen go with those that are, so that a blink does not leave the
+// turn of the head to the tip of the nose. A frame without contrast, after a cut, or in which fewer than a third of the
+// points are seen is not valid, until the face is found again, as large and as upright as at the start.
 //
 // A correction replaces a point from its frame to the next correction of the same point: it is followed from there,
 // with the patch that it has there, between the other points as they are without corrections. So a correction changes

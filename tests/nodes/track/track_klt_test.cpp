@@ -155,7 +155,7 @@ TEST(TrackKlt, TakesACorrectionOfTheFirstFrame) {
   EXPECT_EQ(result.landmarks.points[1].x_px, points().points[1].x_px);
 }
 
-TEST(TrackKlt, LosesACoveredPointKeepsItsPlaceAndFindsItAgain) {
+TEST(TrackKlt, LosesACoveredPointTakesItAlongAndFindsItAgain) {
   const auto before = picture(0, 0);
   Image covered = *picture(1, 0);
   for (int y = 40; y < 76; ++y)
@@ -166,7 +166,7 @@ TEST(TrackKlt, LosesACoveredPointKeepsItsPlaceAndFindsItAgain) {
   const auto image = std::make_shared<const Image>(covered);
   const TrackKltResult start = first(before), hidden = next(before, image, start);
   EXPECT_FALSE(hidden.landmarks.points[5].valid);
-  EXPECT_EQ(hidden.landmarks.points[5].x_px, points().points[5].x_px);
+  EXPECT_NEAR(hidden.landmarks.points[5].x_px, points().points[5].x_px + 1, 0.3);
   EXPECT_GE(hidden.lost, 1);
   const TrackKltResult seen = next(image, picture(2, 0), hidden);
   EXPECT_EQ(seen.lost, 0);
