@@ -15,6 +15,9 @@
 namespace face::mmm {
 namespace {
 
+// RMS, grey values: more than a camera's noise, less than lips that part.
+constexpr double least_difference = 4;
+
 std::int64_t difference(const Image& a, const Image& b) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += (a.pixels[i] - b.pixels[i]) * (a.pixels[i] - b.pixels[i]);
@@ -27,7 +30,7 @@ std::int16_t fixed_point(float px) {
 
 }  // namespace
 
-Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
+Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars, engine::Progress& progress) {
   check(exemplars.rows > 0, "there are no exemplars, expected at least one");
   check(exemplars.columns == 1 && exemplars.values.size() == exemplars.rows, "exemplars is ", exemplars.rows, " x ",
         exemplars.columns, " with ", exemplars.values.size(), " values, expected one column");
@@ -56,6 +59,14 @@ Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars) {
     if (sum < least) least = sum, model.reference = static_cast<std::int64_t>(i);
   }
   const auto reference = static_cast<std::size_t>(model.reference);
+  const Image& middle = model.prototypes[reference].image;
+  double most = 0;
+  for (const MmmPrototype& prototype : model.prototypes)
+    most = std::max(most, std::sqrt(static_cast<double>(difference(middle, prototype.image)) /
+                                    static_cast<double>(middle.pixels.size())));
+  if (most < least_difference)
+    progress.warn(message("the pictures hardly differ (by ", most,
+                          " grey values RMS at most): there is no mouth in them, or it does not move"));
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     MmmPrototype& prototype = model.prototypes[i];
     prototype.flow_64th_px.assign(prototype.image.pixels.size() / 3 * 2, 0);

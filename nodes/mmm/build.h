@@ -12,7 +12,8 @@ namespace face::mmm {
 // them. images: normalised, of one size. exemplars: K x 1, numbers of images, of cluster.k_means or cluster.k_medoids;
 // one that comes twice counts once.
 // Differs from the papers: the reference is the prototype that is least unlike all others, not an arbitrary one; flows
-// go from it to each prototype at once instead of along chains of similar pictures; flows are kept as 1/64 px.
-Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars);
+// go from it to each prototype at once instead of along chains of similar pictures; flows are kept as 1/64 px. Warns
+// where the pictures hardly differ: there is no mouth in them, or it does not move.
+Mmm build(const engine::Seq<Image>& images, const Matrix& exemplars, engine::Progress& progress);
 
 }  // namespace face::mmm

@@ -7,7 +7,7 @@
 using namespace engine::declare;
 using namespace face::mmm;
 
-NODE("mmm.build", &build, version{1},
+NODE("mmm.build", &build, version{2},
      doc{"A multidimensional morphable model of a mouth: typical pictures and the flows from one of them to each."},
      input{"images", "Normalised pictures of the mouth"},
      input{"exemplars", "K x 1: numbers of the typical ones, from a clustering"}, output("model", "The model"));

@@ -20,6 +20,7 @@ using test::operator+;
 using test::Ended;
 using test::Words;
 namespace fs = std::filesystem;
+using namespace std::string_literals;
 
 class SpeechToVideo : public test::CommandTest {
  protected:
@@ -142,6 +143,59 @@ TEST_F(SpeechToVideo, LabelsOfAnotherVideoAreRefused) {
   EXPECT_NE(ended.output.find("labels do not match the video: the last phone (AA) ends at 1.2 s, the video ends at "),
             std::string::npos)
       << ended.output;
+}
+
+TEST_F(SpeechToVideo, AFilmWithoutAFaceIsAWarning) {
+  make_film();
+  // The wall beside the speaker.
+  write("wall.json", R"({"facegraph": 1,
+    "params": {"film": {"type": "path"}},
+    "nodes": {
+      "clip": {"node": "decode.video", "inputs": {"file": "${film}"}},
+      "sound": {"node": "decode.audio", "inputs": {"file": "${film}"}},
+      "wall": {"node": "mmm.crop", "inputs": {"image": "clip.frames"}, "params": {"width_px": 36, "height_px": 60}},
+      "made": {"node": "export.video", "inputs": {"frames": "wall", "timeline": "clip.timeline", "audio": "sound.audio"}}
+    }, "outputs": {"wall.mp4": "made"}})");
+  Ended ended = wait(start({"--store", path("store"), "run", path("wall.json"), "--quiet", "--set",
+                            "film=" + path("out") + "/video.mp4", "--out", path("wall")}));
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  Words words = learn_film(path("out") + "/phones.json");
+  for (std::string& word : words) {
+    if (word.starts_with("video=")) word = "video=" + path("wall") + "/wall.mp4";
+    if (word == "box_left_px=46") word = "box_left_px=4";
+    if (word == "box_top_px=64") word = "box_top_px=4";
+    if (word == "box_width_px=68") word = "box_width_px=28";
+    if (word == "box_height_px=44") word = "box_height_px=50";
+  }
+  ended = wait(start(words + Words{"--to", "learned/model"}));
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  EXPECT_NE(ended.output.find("warning: learned/model: the pictures hardly differ"), std::string::npos) << ended.output;
+}
+
+TEST_F(SpeechToVideo, ASilentFilmIsNotLearned) {
+  if (!fs::exists("/usr/share/pocketsphinx/model/en-us/en-us")) GTEST_SKIP() << "needs pocketsphinx-en-us";
+  make_film();
+  // The film's pictures, with as much silence.
+  std::string wav = "RIFF\x24\x7d\0\0WAVEfmt \x10\0\0\0\1\0\1\0\x80\x3e\0\0\0\x7d\0\0\2\0\x10\0data\0\x7d\0\0"s;
+  wav += std::string(0x7d00, '\0');
+  write("silence.wav", wav);
+  write("silent.json", R"({"facegraph": 1,
+    "params": {"film": {"type": "path"}, "silence": {"type": "path"}},
+    "nodes": {
+      "clip": {"node": "decode.video", "inputs": {"file": "${film}"}},
+      "quiet": {"node": "decode.audio", "inputs": {"file": "${silence}"}},
+      "made": {"node": "export.video", "inputs": {"frames": "clip.frames", "timeline": "clip.timeline", "audio": "quiet.audio"}}
+    }, "outputs": {"silent.mp4": "made"}})");
+  Ended ended = wait(
+      start({"--store", path("store"), "run", path("silent.json"), "--quiet", "--set",
+             "film=" + path("out") + "/video.mp4", "--set", "silence=" + path("silence.wav"), "--out", path("quiet")}));
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  Words words = learn_film(path("out") + "/phones.json");
+  for (std::string& word : words)
+    if (word.starts_with("video=")) word = "video=" + path("quiet") + "/silent.mp4";
+  ended = wait(start(words + Words{"--to", "learned/labels"}));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.output.find("labels do not match the video: phone "), std::string::npos) << ended.output;
 }
 
 TEST_F(SpeechToVideo, LabelsOfOtherWordsAreRefusedWithTheFirstThatDoesNotFit) {

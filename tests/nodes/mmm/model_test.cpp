@@ -23,7 +23,8 @@ engine::Seq<Image> corpus() {
 }
 
 const Mmm& model() {
-  static const Mmm made = build(corpus(), Matrix{6, 1, {0, 1, 2, 3, 4, 5}});
+  engine::Progress progress;
+  static const Mmm made = build(corpus(), Matrix{6, 1, {0, 1, 2, 3, 4, 5}}, progress);
   return made;
 }
 
@@ -79,8 +80,26 @@ TEST(Mmm, RefusesAnotherSizeAndAnotherCount) {
   small.pixels.resize(3 * 96 * 63);
   EXPECT_THROW_TEXT(analyse(model(), small), "image is 96 x 63 pixels, the model is 96 x 64");
   EXPECT_THROW_TEXT(synthesise(model(), Weights{{1, 2, 3}}), "there are 3 parameters, expected 12 for 6 prototypes");
-  EXPECT_THROW_TEXT(build(corpus(), Matrix{1, 1, {6}}), "exemplar 0 is image 6, expected one of 6");
-  EXPECT_THROW_TEXT(build(corpus(), Matrix{}), "there are no exemplars, expected at least one");
+  engine::Progress progress;
+  EXPECT_THROW_TEXT(build(corpus(), Matrix{1, 1, {6}}, progress), "exemplar 0 is image 6, expected one of 6");
+  EXPECT_THROW_TEXT(build(corpus(), Matrix{}, progress), "there are no exemplars, expected at least one");
+}
+
+TEST(Mmm, WarnsWhereNoMouthMoves) {
+  class Listener : public engine::Progress {
+   public:
+    void warn(const std::string& text) override { heard.push_back(text); }
+    std::vector<std::string> heard;
+  } listener;
+  const engine::Seq<Image> still(std::vector<Image>(3, test::painted_mouth(0.3, 1)));
+  build(still, Matrix{2, 1, {0, 2}}, listener);
+  EXPECT_EQ(listener.heard,
+            (std::vector<std::string>{
+                "the pictures hardly differ (by 0 grey values RMS at most): there is no mouth in them, or it does not "
+                "move"}));
+  listener.heard.clear();
+  build(corpus(), Matrix{6, 1, {0, 1, 2, 3, 4, 5}}, listener);
+  EXPECT_TRUE(listener.heard.empty());
 }
 
 TEST(InvertFlow, IsTheInverseOfASmoothFlow) {
