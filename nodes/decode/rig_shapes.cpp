@@ -99,6 +99,11 @@ std::string arkit_spelling(std::string_view name) {
   }
 }
 
+std::string ShapeNames::in_rig(std::string_view name) const {
+  const auto mapped = to_arkit.find(std::string(name));
+  return mapped != to_arkit.end() ? mapped->second : arkit_spelling(name);
+}
+
 ShapeNames read_shape_names(const engine::File& file) {
   ShapeNames names{title_of(file), {}};
   const nlohmann::ordered_json json = read_json(file);
@@ -117,9 +122,8 @@ ShapeNames read_shape_names(const engine::File& file) {
 }
 
 void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offsets_mm) {
-  const auto mapped = names_.to_arkit.find(std::string(name));
   seen_.emplace(name);
-  Shape shape{mapped != names_.to_arkit.end() ? mapped->second : arkit_spelling(name), {}, {}};
+  Shape shape{names_.in_rig(name), {}, {}};
   for (std::size_t v = 0; v < offsets_mm.size(); ++v) {
     const Vec3f& d = offsets_mm[v];
     if (std::abs(d[0]) <= still_mm && std::abs(d[1]) <= still_mm && std::abs(d[2]) <= still_mm) continue;

@@ -27,6 +27,9 @@ std::string arkit_spelling(std::string_view name);
 struct ShapeNames {
   std::string title;                            // of the file that says so
   std::map<std::string, std::string> to_arkit;  // by the file's name
+
+  // The name that a rig has for a file's shape.
+  std::string in_rig(std::string_view name) const;
 };
 
 // Reads {"the file's name": "ARKit's name", ...}; "" says nothing. Throws where a value is not ARKit's.

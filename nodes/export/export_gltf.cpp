@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
 #include "nodes/base/srgb.h"
+#include "nodes/export/animate_original.h"
+#include "nodes/export/gltf_animation.h"
 #include "nodes/export/gltf_buffer.h"
 #include "nodes/export/timed_frames.h"
 #include "nodes/render/triangulate.h"
@@ -217,34 +220,16 @@ json annotations_of(const Rig& rig, const Vertices& all, json parts) {
           {"missing", rig.missing}};
 }
 
-json animation_of(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline, GltfBuffer& buffer) {
-  std::vector<float> times, values;
-  times.reserve(timeline.time_s.size());
-  for (const double time_s : timeline.time_s) times.push_back(static_cast<float>(time_s));
-  values.reserve(frames.size() * rig.shapes.size());
-  std::size_t index = 0;
-  for (const Weights& weights : frames) {
-    check(weights.values.size() <= rig.shapes.size(), "frame ", frames.id(index), " has ", weights.values.size(),
-          " weights, but the rig has ", rig.shapes.size(), " shapes");
-    values.insert(values.end(), weights.values.begin(), weights.values.end());
-    values.resize(++index * rig.shapes.size(), 0.0f);
-  }
-  for (std::size_t i = 0; i < values.size(); ++i)
-    check(std::isfinite(values[i]), "weight ", rig.shapes[i % rig.shapes.size()].name, " of frame ",
-          frames.id(i / rig.shapes.size()), " is not a finite number");
-  const int input = buffer.add_scalars(times, true);
-  const int output = buffer.add_scalars(values, false);
-  return {{"name", "performance"},
-          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
-          {"samplers", {{{"input", input}, {"interpolation", "LINEAR"}, {"output", output}}}}};
-}
-
 }  // namespace
 
 engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
-                         const ExportGltfOptions& options) {
+                         const engine::File* original, const engine::File* names, const ExportGltfOptions& options) {
   check_frames(frames.size(), timeline);
   check(!rig.shapes.empty(), "the rig has no shapes, so there is nothing to animate");
+  if (original) {
+    const decode::ShapeNames known = names ? decode::read_shape_names(*names) : decode::ShapeNames{};
+    if (std::optional<engine::File> kept = animate_original(*original, known, rig, frames, timeline)) return *kept;
+  }
   const Mesh& mesh = rig.neutral;
   check(mesh.colors_srgb.empty() || mesh.colors_srgb.size() == mesh.points_mm.size(), "the rig has ",
         mesh.colors_srgb.size(), " vertex colours, but ", mesh.points_mm.size(), " vertices");
@@ -282,8 +267,8 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
     parts.push_back({{"name", part.name}, {"gloss", part.gloss}});
   }
   check(!primitives.empty(), "the rig has no visible polygon to export");
-  json names = json::array();
-  for (const Shape& shape : rig.shapes) names.push_back(shape.name);
+  json shape_names = json::array();
+  for (const Shape& shape : rig.shapes) shape_names.push_back(shape.name);
 
   json document = {
       {"asset", {{"version", "2.0"}, {"generator", "Facegraph"}}},
@@ -295,9 +280,9 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
          {"primitives", std::move(primitives)},
          {"weights", std::vector<float>(rig.shapes.size(), 0.0f)},
          {"extras",
-          {{"targetNames", std::move(names)}, {"facegraph", annotations_of(rig, vertices, std::move(parts))}}}}}},
+          {{"targetNames", std::move(shape_names)}, {"facegraph", annotations_of(rig, vertices, std::move(parts))}}}}}},
       {"materials", std::move(materials)}};
-  document["animations"] = json::array({animation_of(rig, frames, timeline, buffer)});
+  document["animations"] = json::array({animation_of({{0, weight_rows(rig, frames)}}, timeline, buffer)});
   document["accessors"] = std::move(buffer.accessors);
   document["bufferViews"] = std::move(buffer.views);
   return engine::File::from_bytes(glb_bytes(std::move(document), std::move(buffer.bytes)), ".glb");

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/export/animate_original.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nodes/base/check.h"
+#include "nodes/decode/input_file.h"
+#include "nodes/export/gltf_animation.h"
+
+namespace face::exports {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
+
+// The JSON of a GLB, and its binary chunk.
+struct Glb {
+  json document;
+  std::string binary;
+};
+
+std::uint32_t uint_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + at, sizeof value);  // gltf_buffer.h: this machine is little-endian
+  return value;
+}
+
+// The chunk at `at`, which moves behind it.
+std::string_view next_chunk(std::string_view bytes, std::size_t& at, const std::string& title) {
+  const std::size_t size = at + chunk_header_bytes <= bytes.size() ? uint_at(bytes, at) : bytes.size();
+  if (at + chunk_header_bytes + size > bytes.size())
+    fail(title, ": is truncated: found ", bytes.size(), " bytes, a chunk at byte ", at, " promises more");
+  const std::string_view chunk = bytes.substr(at + chunk_header_bytes, size);
+  at += chunk_header_bytes + size;
+  return chunk;
+}
+
+std::optional<Glb> read_glb(const engine::File& file) {
+  if (file.is_folder()) return std::nullopt;
+  const std::string bytes = decode::read_bytes(file), title = decode::title_of(file);
+  if (!bytes.starts_with("glTF") || bytes.size() < header_bytes) return std::nullopt;
+  std::size_t at = header_bytes;
+  const std::string_view text = next_chunk(bytes, at, title);
+  Glb glb{json::parse(text, nullptr, false), {}};
+  if (!glb.document.is_object()) fail(title, ": is damaged: its JSON cannot be read");
+  if (at < bytes.size()) glb.binary = next_chunk(bytes, at, title);
+  const json buffers = glb.document.value("buffers", json::array());
+  if (buffers.size() != 1 || buffers[0].contains("uri") || glb.binary.empty()) return std::nullopt;
+  return glb;
+}
+
+const json* member(const json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return object.is_object() && found != object.end() ? &*found : nullptr;
+}
+
+// An element of a list of the document that another part refers to; null where there is none.
+const json* element(const json& document, const char* list, const json* index) {
+  const json* all = member(document, list);
+  if (all == nullptr || index == nullptr || !index->is_number_unsigned()) return nullptr;
+  return index->get<std::size_t>() < all->size() ? &(*all)[index->get<std::size_t>()] : nullptr;
+}
+
+// As decode's gltf_target_name finds them.
+std::vector<std::string> target_names(const json& document, const json& mesh) {
+  std::vector<std::string> names;
+  const json* primitives = member(mesh, "primitives");
+  if (primitives == nullptr || primitives->empty()) return names;
+  const json& primitive = primitives->front();
+  const json* targets = member(primitive, "targets");
+  if (targets == nullptr) return names;
+  for (std::size_t t = 0; t < targets->size(); ++t) {
+    std::string name;
+    if (const json* offsets = element(document, "accessors", member((*targets)[t], "POSITION")))
+      name = offsets->value("name", "");
+    for (const json* holder : {&primitive, &mesh}) {
+      const json* extras = member(*holder, "extras");
+      const json* listed = extras ? member(*extras, "targetNames") : nullptr;
+      if (listed != nullptr && t < listed->size() && (*listed)[t].is_string()) name = (*listed)[t].get<std::string>();
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// A channel for every node whose mesh has morph targets.
+std::vector<WeightChannel> channels_of(const json& document, const decode::ShapeNames& names, const Rig& rig,
+                                       const std::vector<float>& rows) {
+  std::map<std::string, std::size_t> shape_of;
+  for (std::size_t s = 0; s < rig.shapes.size(); ++s) shape_of.emplace(rig.shapes[s].name, s);
+  std::vector<WeightChannel> channels;
+  const json* nodes = member(document, "nodes");
+  for (std::size_t n = 0; nodes != nullptr && n < nodes->size(); ++n) {
+    const json* mesh = element(document, "meshes", member((*nodes)[n], "mesh"));
+    if (mesh == nullptr) continue;
+    const std::vector<std::string> targets = target_names(document, *mesh);
+    if (targets.empty()) continue;
+    WeightChannel channel{static_cast<int>(n), {}};
+    for (std::size_t row = 0; row < rows.size(); row += rig.shapes.size())
+      for (const std::string& target : targets) {
+        const auto shape = shape_of.find(names.in_rig(target));
+        channel.values.push_back(shape == shape_of.end() ? 0.0f : rows[row + shape->second]);
+      }
+    channels.push_back(std::move(channel));
+  }
+  return channels;
+}
+
+// Leaves the animations without what moves the same weights.
+json without_channels(const json& animations, const std::vector<WeightChannel>& channels) {
+  json kept = json::array();
+  for (json animation : animations) {
+    json left = json::array();
+    for (const json& channel : animation.value("channels", json::array())) {
+      const json target = channel.value("target", json::object());
+      const bool ours = target.value("path", "") == "weights" &&
+                        std::any_of(channels.begin(), channels.end(),
+                                    [&](const WeightChannel& c) { return target.value("node", -1) == c.node; });
+      if (!ours) left.push_back(channel);
+    }
+    if (left.empty()) continue;
+    animation["channels"] = std::move(left);
+    kept.push_back(std::move(animation));
+  }
+  return kept;
+}
+
+// Puts the new accessors behind those of the file.
+void append(GltfBuffer buffer, json& animation, Glb& glb) {
+  json& document = glb.document;
+  const std::size_t views = document["bufferViews"].size(), accessors = document["accessors"].size();
+  while (glb.binary.size() % 4 != 0) glb.binary += '\0';
+  for (json& view : buffer.views) {
+    view["byteOffset"] = view.value("byteOffset", std::size_t{0}) + glb.binary.size();
+    document["bufferViews"].push_back(std::move(view));
+  }
+  for (json& accessor : buffer.accessors) {
+    accessor["bufferView"] = accessor["bufferView"].get<std::size_t>() + views;
+    document["accessors"].push_back(std::move(accessor));
+  }
+  for (json& sampler : animation["samplers"])
+    for (const char* end : {"input", "output"}) sampler[end] = sampler[end].get<std::size_t>() + accessors;
+  glb.binary += buffer.bytes;
+}
+
+}  // namespace
+
+std::optional<engine::File> animate_original(const engine::File& original, const decode::ShapeNames& names,
+                                             const Rig& rig, const engine::Seq<Weights>& frames,
+                                             const Timeline& timeline) {
+  std::optional<Glb> glb = read_glb(original);
+  if (!glb) return std::nullopt;
+  const std::vector<WeightChannel> channels = channels_of(glb->document, names, rig, weight_rows(rig, frames));
+  if (channels.empty()) return std::nullopt;
+  GltfBuffer buffer;
+  json animation = animation_of(channels, timeline, buffer);
+  append(std::move(buffer), animation, *glb);
+  json all = without_channels(glb->document.value("animations", json::array()), channels);
+  all.insert(all.begin(), std::move(animation));
+  glb->document["animations"] = std::move(all);
+  return engine::File::from_bytes(glb_bytes(std::move(glb->document), std::move(glb->binary)), ".glb");
+}
+
+}  // namespace face::exports
