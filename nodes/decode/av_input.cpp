@@ -31,6 +31,8 @@ std::string list_streams(const AVFormatContext& format) {
 
 }  // namespace
 
+void keep_av_quiet() { av_log_set_level(AV_LOG_QUIET); }
+
 std::string av_error_text(int code) {
   char text[AV_ERROR_MAX_STRING_SIZE] = {};
   av_strerror(code, text, sizeof text);
@@ -38,7 +40,7 @@ std::string av_error_text(int code) {
 }
 
 AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_(std::move(title)) {
-  av_log_set_level(AV_LOG_QUIET);  // what matters comes back as error codes
+  keep_av_quiet();
   const char* expected = kind == Kind::audio
                              ? "a recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"
                              : "a video file (MP4, MOV, MPEG, AVI, MKV, WebM)";

@@ -43,6 +43,9 @@ class AvInput {
 // True for a media file with pictures and no sound; false for what cannot be read, too.
 bool has_pictures_only(const std::string& path);
 
+// What matters comes back as error codes; what FFmpeg's libraries would print besides is not printed.
+void keep_av_quiet();
+
 // FFmpeg's text for an error code.
 std::string av_error_text(int code);
 

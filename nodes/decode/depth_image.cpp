@@ -4,15 +4,14 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
 }
 
 #include <cstdint>
 #include <cstring>
-#include <memory>
 
 #include "nodes/base/check.h"
 #include "nodes/decode/av_input.h"
+#include "nodes/decode/frame_image.h"
 
 namespace face::decode {
 namespace {
@@ -73,33 +72,7 @@ DepthImage read_depth_image(const std::string& path, const std::string& title) {
 
 Image read_picture(const std::string& path, const std::string& title) {
   Image out;
-  with_frame(path, title, [&](const AVFrame& frame) {
-    const auto format = static_cast<AVPixelFormat>(frame.format);
-    out = {frame.width, frame.height, format == AV_PIX_FMT_GRAY8 ? 1 : 3, {}};
-    const auto width = static_cast<std::size_t>(frame.width);
-    if (out.channels == 1) {
-      for (int y = 0; y < frame.height; ++y) {
-        const std::uint8_t* row = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;
-        out.pixels.insert(out.pixels.end(), row, row + width);
-      }
-      return;
-    }
-    const std::unique_ptr<SwsContext, void (*)(SwsContext*)> context(
-        sws_getContext(frame.width, frame.height, format, frame.width, frame.height, AV_PIX_FMT_RGB24,
-                       SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr),
-        &sws_freeContext);
-    check(context != nullptr, title, ": its pixel format cannot be converted to RGB");
-    // swscale writes whole vectors, so rows are padded and copied.
-    const int stride = (3 * frame.width + 63) / 64 * 64 + 64;
-    std::vector<std::uint8_t> padded(static_cast<std::size_t>(stride) * static_cast<std::size_t>(frame.height));
-    std::uint8_t* to[4] = {padded.data(), nullptr, nullptr, nullptr};
-    const int strides[4] = {stride, 0, 0, 0};
-    sws_scale(context.get(), frame.data, frame.linesize, 0, frame.height, to, strides);
-    for (int y = 0; y < frame.height; ++y) {
-      const auto row = padded.begin() + static_cast<std::ptrdiff_t>(stride) * y;
-      out.pixels.insert(out.pixels.end(), row, row + static_cast<std::ptrdiff_t>(3 * width));
-    }
-  });
+  with_frame(path, title, [&](const AVFrame& frame) { out = image_of(frame, title); });
   return out;
 }
 

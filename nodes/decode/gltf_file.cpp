@@ -101,10 +101,14 @@ tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {
   }
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_for(given));
-  // Pictures are left as they are: parts have a colour each.
-  loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
-                           void*) { return true; },
-                        nullptr);
+  // Pictures are kept as they are in the file; gltf_looks.h reads those that it needs.
+  loader.SetImageLoader(
+      [](tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* encoded,
+         int size, void*) {
+        image->image.assign(encoded, encoded + size);
+        return true;
+      },
+      nullptr);
   tinygltf::Model model;
   std::string error, warning;
   const auto size = static_cast<unsigned>(bytes.size());

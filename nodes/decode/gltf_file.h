@@ -15,7 +15,8 @@ namespace face::decode {
 // The glTF file of a folder that has one, or the file itself.
 engine::File gltf_main_file(const engine::File& file);
 
-// Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are left out. Throws with the
+// Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are
+// as encoded as in the file. Throws with the
 // file's name where it is none, or damaged, or compressed by an extension that is not read (Draco, meshopt).
 tinygltf::Model load_gltf(const engine::File& given, const engine::File& main);
 

@@ -15,6 +15,7 @@
 #include "nodes/base/srgb.h"
 #include "nodes/decode/gltf_accessor.h"
 #include "nodes/decode/gltf_file.h"
+#include "nodes/decode/gltf_looks.h"
 #include "nodes/decode/gltf_places.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/mouth_marks.h"
@@ -29,7 +30,8 @@ struct Raw {
   std::vector<Vec3f> points;
   std::vector<Vec2f> uvs;
   std::vector<Vec3f> colors;
-  bool any_uvs = false, any_colors = false;
+  std::vector<Vec3f> pictured;  // the texture's colour there
+  bool any_uvs = false, any_colors = false, any_pictured = false;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Part> parts;
   std::vector<std::string> shape_names;           // in order of appearance
@@ -40,7 +42,7 @@ struct Raw {
 class Collector {
  public:
   Collector(const tinygltf::Model& model, const std::string& title)
-      : model_(model), title_(title), places_(gltf_places(model, title)) {}
+      : model_(model), title_(title), places_(gltf_places(model, title)), looks_(model, title) {}
 
   Raw collect() {
     std::vector<int> roots;
@@ -109,6 +111,7 @@ class Collector {
           raw_.colors[first + v][k] = srgb(static_cast<double>(values[v * static_cast<std::size_t>(width) + k]));
       raw_.any_colors = true;
     }
+    add_picture(primitive, first, count);
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
       const auto target = primitive.targets[t].find("POSITION");
       if (target == primitive.targets[t].end()) continue;
@@ -119,6 +122,18 @@ class Collector {
       offsets.resize(first + count);
       for (std::size_t v = 0; v < count; ++v) offsets[first + v] = apply(places[v], &values[v * 3], 0);
     }
+  }
+
+  void add_picture(const tinygltf::Primitive& primitive, std::size_t first, std::size_t count) {
+    raw_.pictured.resize(first + count, Vec3f{1, 1, 1});
+    const Image* picture = looks_.picture_on(primitive);
+    const auto uv = primitive.attributes.find(looks_.coordinates_of(primitive));
+    if (picture == nullptr || uv == primitive.attributes.end()) return;
+    const std::vector<float> values = read_floats(model_, uv->second, 2, title_);
+    expect_rows(values.size() / 2, count, "texture coordinates");
+    for (std::size_t v = 0; v < count; ++v)
+      raw_.pictured[first + v] = colour_at(*picture, values[v * 2], values[v * 2 + 1]);
+    raw_.any_pictured = true;
   }
 
   void expect_rows(std::size_t found, std::size_t count, const std::string& what) const {
@@ -161,7 +176,7 @@ class Collector {
     if (part.polygon_count > 0) raw_.parts.push_back(part);
   }
 
-  Part part_of(const tinygltf::Primitive& primitive, const tinygltf::Mesh& mesh) const {
+  Part part_of(const tinygltf::Primitive& primitive, const tinygltf::Mesh& mesh) {
     Part part;
     part.name = lower(mesh.name);
     if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model_.materials.size()) return part;
@@ -170,7 +185,7 @@ class Collector {
     const bool teeth = part.name.find("teeth") != std::string::npos || part.name.find("tooth") != std::string::npos;
     if (!teeth && !material.name.empty()) part.name = lower(material.name);
     const auto& look = material.pbrMetallicRoughness;
-    if (look.baseColorTexture.index < 0 && look.baseColorFactor.size() == 4)
+    if ((look.baseColorTexture.index < 0 || looks_.picture_on(primitive)) && look.baseColorFactor.size() == 4)
       for (std::size_t k = 0; k < 3; ++k) part.albedo_srgb[k] = srgb(look.baseColorFactor[k]);
     part.gloss = std::clamp(static_cast<float>((0.8 - look.roughnessFactor) / 0.65), 0.0f, 1.0f);
     part.visible = material.alphaMode == "OPAQUE" || look.baseColorFactor.size() < 4 || look.baseColorFactor[3] > 0.3;
@@ -180,6 +195,7 @@ class Collector {
   const tinygltf::Model& model_;
   const std::string& title_;
   const std::vector<GltfMatrix> places_;  // of the nodes
+  GltfLooks looks_;
   Raw raw_;
 };
 
@@ -249,6 +265,16 @@ std::vector<T> gather(const std::vector<T>& raw, const std::vector<std::uint32_t
   return out;
 }
 
+// Of every vertex, its own and the texture's together.
+std::vector<Vec3f> seen_colors(const Raw& raw) {
+  if (!raw.any_pictured) return raw.colors;
+  std::vector<Vec3f> out = raw.pictured;
+  for (std::size_t v = 0; v < out.size() && raw.any_colors; ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      out[v][k] = srgb(linear_of(static_cast<double>(out[v][k])) * linear_of(static_cast<double>(raw.colors[v][k])));
+  return out;
+}
+
 void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig) {
   const std::size_t count = rig.neutral.points_mm.size();
   const std::vector<std::uint32_t> pairs = note_indices(notes, "inner_lips", count, title);
@@ -298,7 +324,7 @@ Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit 
   Mesh& mesh = rig.neutral;
   mesh.points_mm = in_mm(raw.points);
   if (raw.any_uvs) mesh.uvs = raw.uvs;
-  if (raw.any_colors) mesh.colors_srgb = gather(raw.colors, to, count);
+  if (raw.any_colors || raw.any_pictured) mesh.colors_srgb = gather(seen_colors(raw), to, count);
   mesh.parts = raw.parts;
   mesh.polygon_starts.push_back(0);
   for (const auto& triangle : raw.triangles) {

@@ -9,9 +9,10 @@ namespace face::decode {
 
 // Reads a GLB or glTF 2.0 file: all meshes of its scene, merged, with their morph targets (named by
 // extras.targetNames). A folder with one such file may hold the buffers that it refers to. Vertices that differ in
-// texture coordinates or normals only are merged, so that the surface is closed again. Materials give colour and gloss;
-// textures are not read. What our exporter notes in extras.facegraph (marks, the vertices of the rig it wrote) comes
-// back; for other files mouth_marks.h finds the marks. speaks: throws without the shapes that speech needs.
+// texture coordinates or normals only are merged, so that the surface is closed again. Materials give colour and gloss,
+// textures (PNG, JPEG, WebP) the colours of vertices. What our exporter notes in extras.facegraph (marks, the vertices
+// of the rig it wrote) comes back; for other files mouth_marks.h finds the marks. speaks: throws without the shapes
+// that speech needs.
 Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit, bool speaks = true);
 
 }  // namespace face::decode

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <opencv2/imgcodecs.hpp>
 
 #include "nodes/decode/read_rig.h"
 #include "nodes/types/arkit.h"
@@ -94,6 +95,49 @@ std::string with(std::string text, const std::string& part, const std::string& o
   const std::size_t at = text.find(part);
   EXPECT_NE(at, std::string::npos) << part;
   return text.replace(at, part.size(), other);
+}
+
+// The square with a picture on it: red on the left, green on the right, black at the bottom (32 x 32), which its
+// corners see at (0.25, 0.25), (0.75, 0.25), (0.75, 0.25) and (0.25, 0.9); the copy of vertex 0 lies on the green side.
+std::string pictured_gltf(const std::string& suffix, const std::string& encoded_as = "") {
+  cv::Mat picture(32, 32, CV_8UC3);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      picture.at<cv::Vec3b>(y, x) = y > 23 ? cv::Vec3b(0, 0, 0) : x < 16 ? cv::Vec3b(0, 0, 255) : cv::Vec3b(0, 255, 0);
+  std::vector<unsigned char> encoded;
+  cv::imencode(suffix, picture, encoded, {cv::IMWRITE_JPEG_QUALITY, 100});
+  const std::string bytes = encoded_as.empty() ? std::string(encoded.begin(), encoded.end()) : encoded_as;
+  const std::string uvs = bytes_of_values<float>({0.25f, 0.25f, 0.75f, 0.25f, 0.75f, 0.25f, 0.25f, 0.9f, 0.75f, 0.25f});
+  std::string text = square_gltf(six_names);
+  text = with(text, R"({"POSITION":0})", R"({"POSITION":0,"TEXCOORD_0":3})");
+  text = with(text, R"("baseColorFactor":[1,0.2140411,0,1])", R"("baseColorTexture":{"index":0})");
+  text = with(text, R"("count":6,"type":"SCALAR"})",
+              R"("count":6,"type":"SCALAR"},{"bufferView":4,"componentType":5126,"count":5,"type":"VEC2"})");
+  text = with(text, R"("byteOffset":96,"byteLength":4})",
+              R"("byteOffset":96,"byteLength":4},{"buffer":1,"byteLength":40})");
+  text.pop_back();  // }
+  text.pop_back();  // ]
+  return text + R"(,{"byteLength":40,"uri":"data:application/octet-stream;base64,)" + base64(uvs) +
+         R"("}],"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" + base64(bytes) + "\"}]}";
+}
+
+TEST(GltfRig, TakesTheColoursOfVerticesFromTheTexture) {
+  for (const std::string suffix : {".png", ".jpg", ".webp"}) {
+    const Mesh mesh = read(pictured_gltf(suffix)).neutral;
+    ASSERT_EQ(mesh.points_mm.size(), 4u) << "a seam of two colours is still closed";
+    ASSERT_EQ(mesh.colors_srgb.size(), 4u) << suffix;
+    const double tolerance = suffix == ".png" ? 1e-3 : 0.15;
+    const Vec3f expected[] = {{1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0}};
+    for (std::size_t v = 0; v < 4; ++v)
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(mesh.colors_srgb[v][c], expected[v][c], tolerance) << suffix << v;
+    EXPECT_EQ(mesh.parts[0].albedo_srgb, (Vec3f{1, 1, 1}));
+  }
+}
+
+TEST(GltfRig, DoesWithoutATextureOfAnotherFormatAndNamesOneThatIsDamaged) {
+  EXPECT_TRUE(read(pictured_gltf(".png", "\xABKTX 20\xBB of some kind")).neutral.colors_srgb.empty());
+  EXPECT_THROW_TEXT(read(pictured_gltf(".png", "\x89PNG and then nothing")),
+                    "head.gltf: texture 0: its picture cannot be decoded: Invalid data found when processing input");
 }
 
 TEST(GltfRig, FindsNamesWhereOtherExportersWriteThem) {
