@@ -30,8 +30,9 @@ constexpr double near_px = 4;           // what a guess of how far the lower lip
 constexpr double least_drop = -0.1, most_drop = 0.6;  // guesses, shares of the mouth's width
 constexpr double mode_drop = 0.25;                    // that of mouth_modes' lower lip
 constexpr double better_by = 0.15;                    // mean likeness of a lower lip that flow has not found
-constexpr double most_off_px = 4;  // of an inner point on the reference, from where its lips are found to part
-constexpr double slack_px = 1;     // usual distance of a point from what the shapes of a mouth give
+constexpr double usual_stray = 0.1;  // of an inner point, from where the outer lips take it, of the mouth's width
+constexpr double most_off_px = 4;    // of an inner point on the reference, from where its lips are found to part
+constexpr double slack_px = 1;       // usual distance of a point from what the shapes of a mouth give
 
 void check_finite(const Landmarks& landmarks, const std::string& name) {
   for (const Landmark& point : landmarks.points)
@@ -246,7 +247,8 @@ std::vector<Sighting> fit_edges(const Mouth& mouth, const Image& image, const tr
   return all;
 }
 
-// Inner lips are seen where the lips part, across them only.
+// Inner lips are seen where the lips part, across them only. What is far from where the outer lips take them is the
+// less believed: a tongue or gums can look like a lip. outer: all points, settled by the outer lips.
 void see_parting(const Mouth& mouth, const Image& image, const Landmarks& outer, double error_px,
                  std::vector<Sighting>& sightings) {
   const Points& points = mouth.points;
@@ -260,7 +262,11 @@ void see_parting(const Mouth& mouth, const Image& image, const Landmarks& outer,
     if (!found || !was) continue;
     double off_x = start.x_px - was->x_px, off_y = start.y_px - was->y_px;
     if (std::hypot(off_x, off_y) > most_off_px) off_x = off_y = 0;
-    sightings[inner] = {found->x_px + off_x, found->y_px + off_y, sure * dy * dy, -sure * dx * dy, sure * dx * dx};
+    const double x = found->x_px + off_x, y = found->y_px + off_y;
+    const double stray =
+        ((y - outer.points[inner].y_px) * dx - (x - outer.points[inner].x_px) * dy) / (dx * dx + dy * dy);
+    const double belief = sure / std::pow(1 + std::pow(stray / usual_stray, 2), 2);
+    sightings[inner] = {x, y, belief * dy * dy, -belief * dx * dy, belief * dx * dx};
   }
 }
 
