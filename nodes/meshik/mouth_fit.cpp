@@ -58,6 +58,8 @@ MatrixXd expectation(const Rig& rig, const std::vector<std::vector<double>>& row
     arkit.push_back(static_cast<std::size_t>(std::find(arkit_names.begin(), arkit_names.end(), rig.shapes[s].name) -
                                              arkit_names.begin()));
   std::vector<VectorXd> poses;
+  // Lips that must meet do so whatever the jaw does: ARKit's mouthClose shuts what jawOpen at the same weight opens.
+  const auto close = std::find(arkit.begin(), arkit.end(), arkit_index("mouthClose"));
   const auto add = [&](const Viseme& viseme, const std::vector<float>& weights) {
     check(weights.size() == arkit_names.size(), "viseme ", viseme.label, " has ", weights.size(), " weights, expected ",
           arkit_names.size());
@@ -66,6 +68,8 @@ MatrixXd expectation(const Rig& rig, const std::vector<std::vector<double>>& row
       const std::size_t k = arkit[static_cast<std::size_t>(i)];
       if (k < weights.size()) pose[i] = static_cast<double>(weights[k]);
     }
+    if (viseme.contact == "lips" && close != arkit.end())
+      pose[close - arkit.begin()] = static_cast<double>(weights[arkit_index("jawOpen")]);
     poses.push_back(pose);
   };
   for (const Viseme& viseme : visemes->visemes) {

@@ -46,6 +46,46 @@ double jaw_of(const MouthFit& fit, const std::vector<LandmarkVertex>& places, co
   return fit.weights(wanted, least, seen)[jaw_open];
 }
 
+// The outer lips' points, 2 numbers each, about their mean; empty where one is lost.
+std::vector<double> lip_shape(const Landmarks& here, const std::vector<LandmarkVertex>& places, const Rig& rig) {
+  std::vector<double> shape;
+  double mean_x = 0, mean_y = 0;
+  for (const LandmarkVertex& place : places) {
+    const auto first = rig.landmarks68.begin() + 48, last = first + 12;
+    if (std::find(first, last, place.vertex) == last) continue;
+    const Landmark& point = here.points[place.landmark];
+    if (!point.valid) return {};
+    shape.push_back(point.x_px);
+    shape.push_back(point.y_px);
+    mean_x += point.x_px;
+    mean_y += point.y_px;
+  }
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    shape[i] -= (i % 2 == 0 ? mean_x : mean_y) * 2 / static_cast<double>(shape.size());
+  return shape;
+}
+
+// The most frames in a row whose lips have the shape of rest's.
+int longest_rest(const Rig& rig, const engine::Seq<Landmarks>& landmarks, const Landmarks& rest,
+                 const std::vector<LandmarkVertex>& places) {
+  constexpr double alike = 0.025;  // of the mouth's width
+  Landmarks all = rest;
+  for (Landmark& point : all.points) point.valid = true;
+  const std::vector<double> wanted = lip_shape(all, places, rig);
+  double low = 0, high = 0;
+  for (std::size_t i = 0; i < wanted.size(); i += 2) low = std::min(low, wanted[i]), high = std::max(high, wanted[i]);
+  int longest = 0, run = 0;
+  for (std::size_t t = 0; t < landmarks.size(); ++t) {
+    const std::vector<double> shape = lip_shape(*landmarks.at(t), places, rig);
+    double sum = 0;
+    for (std::size_t i = 0; i < shape.size(); ++i)
+      sum += 2 * std::pow(shape[i] - wanted[i], 2) / static_cast<double>(shape.size());
+    run = !shape.empty() && std::sqrt(sum) <= alike * (high - low) ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
 std::vector<double> median_of_three(const std::vector<double>& values) {
   std::vector<double> out = values;
   for (std::size_t i = 1; i + 1 < values.size(); ++i)
@@ -75,7 +115,7 @@ Landmarks raise_jaw(const Rig& rig, const engine::Seq<Landmarks>& landmarks, con
         std::count_if(here->points.begin(), here->points.end(), [](const Landmark& p) { return !p.valid; });
     if (lost <= options.max_lost) jaws.push_back(jaw_of(fit, places, *here, rest, mm_per_px, least));
   }
-  if (jaws.empty()) return rest;
+  if (jaws.empty() || longest_rest(rig, landmarks, rest, places) >= options.rest_frames) return rest;
   jaws = median_of_three(jaws);
   std::sort(jaws.begin(), jaws.end());
   const auto above =

@@ -18,4 +18,6 @@ NODE("meshik.raise_jaw", &raise_jaw, version{1},
            "How far the jaw is raised at most, in weights of jawOpen"),
      param("max_lost", &RaiseJawOptions::max_lost, range{0, 1000}, unit{"1"},
            "Frames that lost more landmarks do not count"),
+     param("rest_frames", &RaiseJawOptions::rest_frames, range{1, 100000}, unit{"1"},
+           "So many frames in a row with the mouth as it is in rest are a rest: nothing is raised"),
      output("raised", "The landmarks at rest"));

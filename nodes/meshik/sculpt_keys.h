@@ -30,8 +30,9 @@ struct SculptKeysResult {
 // Quadratic Programming Procedure, 1957). The outer edge of the lips alone does not tell a dropped jaw from a funnel:
 // visemes (null = none) say which weights go together in speech. The weights that they have in common, their second
 // moments about 0, are the covariance of a Gaussian about the rest, of which and the landmarks the most likely weights
-// are taken. The scale of the pictures is that at which the neutral landmarks fit the rig's best. Meshes of an artist
-// take the place of `key_meshes`. neutral: the speaker's landmarks at rest, in the order of the key shapes'.
+// are taken. Visemes whose lips meet count with mouthClose as large as jawOpen. The scale of the pictures is that at
+// which the neutral landmarks fit the rig's best. Meshes of an artist take the place of `key_meshes`. neutral: the
+// speaker's landmarks at rest, in the order of the key shapes'.
 SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const Landmarks& neutral,
                              const Visemes* visemes, engine::SeqWriter<Mesh>& key_meshes,
                              engine::SeqWriter<Weights>& rig_weights, const SculptKeysOptions& options = {});

@@ -82,7 +82,7 @@ const Registered meshik({
         },
     .types = {{"mesh_space", made_by("meshik.prepare", "space")}},
     .params = {{"meshik.simplify.vertices", whole(200)}},
-    .values = {{"meshik.raise_jaw.highest_share", {0.95}}, {"meshik.raise_jaw.most", {0.001}}},
+    .values = {{"meshik.raise_jaw.highest_share", {0.95}}, {"meshik.raise_jaw.most", {0.001}}, {"meshik.raise_jaw.rest_frames", {std::int64_t{1}}}},
 });
 
 }  // namespace

@@ -72,7 +72,7 @@ std::vector<Landmarks> speech(const Rig& rig) {
   for (int i = 0; i < 5; ++i) {
     for (const float jaw : {0.3f, 0.5f, 0.3f}) frames.push_back(seen(rig, jaw, 0, 0.1f));
     for (int k = 0; k < 3; ++k) frames.push_back(seen(rig, 0.1f, 0.1f, 0));
-    for (int k = 0; k < 3; ++k) frames.push_back(seen(rig, 0, 0, 0.3f));
+    for (int k = 0; k < 3; ++k) frames.push_back(seen(rig, 0, 0, 0.6f));
   }
   return frames;
 }
@@ -88,7 +88,18 @@ TEST(RaiseJaw, FindsTheRestOfSomebodyWhoNeverRests) {
   const Rig rig = landmark_rig();
   const Landmarks shut = seen(rig, 0.1f, 0.1f, 0), truth = seen(rig, 0, 0, 0);
   EXPECT_GT(farthest_px(shut, truth), 3.9);
-  EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(speech(rig)), shut, nullptr), truth), 0.4);
+  EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(speech(rig)), shut, nullptr), truth),
+            0.8);  // weights are pulled to 0
+}
+
+TEST(RaiseJaw, BelievesAMouthThatRestsLongerThanAnyClosure) {
+  const Rig rig = landmark_rig();
+  const Landmarks rest = seen(rig, 0.1f, 0.1f, 0);
+  std::vector<Landmarks> frames = speech(rig);
+  frames.insert(frames.end(), 9, rest);  // the last 3 frames of speech are others
+  EXPECT_GT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), rest, nullptr), rest), 1);
+  frames.insert(frames.end(), 3, rest);
+  EXPECT_EQ(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), rest, nullptr), rest), 0);
 }
 
 TEST(RaiseJaw, LeavesARestThatIsOne) {
