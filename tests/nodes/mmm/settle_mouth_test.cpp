@@ -14,15 +14,16 @@ namespace face::mmm {
 namespace {
 
 // A mouth 80 px wide whose seam is in the middle of 320 x 240 pixels, lips and chin as parabolas; the lower lip and the
-// chin have fallen by drop_px, the head is elsewhere by (x_px, y_px).
+// chin have fallen by drop_px, the head is elsewhere by (x_px, y_px), and each lip is thinner by part_px.
 struct Mouth {
-  double drop_px = 0, x_px = 0, y_px = 0;
+  double drop_px = 0, x_px = 0, y_px = 0, part_px = 0;
 
   static double hump(double u) { return std::max(0.0, 1 - u * u); }
   // Where the edges are (the shut lips' seam is dark and 2 px high), px below the seam at rest, u from -1 to 1 over the
   // mouth's width.
   double upper(double u) const { return -14 * hump(u); }
-  double inner(double u) const { return drop_px * hump(u); }
+  double inner(double u) const { return (drop_px + part_px) * hump(u); }
+  double inner_upper(double u) const { return -part_px * hump(u); }
   double lower(double u) const { return (18 + drop_px) * hump(u); }
   double chin(double u) const { return 62 + 0.8 * drop_px - 9 * u * u; }
 
@@ -37,7 +38,7 @@ struct Mouth {
           if (v > chin(u)) colour = {150, 105, 80};
           if (v > upper(u) && v < lower(u))
             colour = v < 0 ? std::array{150.0, 75.0, 70.0} : std::array{180.0, 95.0, 90.0};
-          if (std::abs(u) < 1 && v > -1 && v < inner(u) + 1) colour = {40, 15, 12};
+          if (std::abs(u) < 1 && v > inner_upper(u) - 1 && v < inner(u) + 1) colour = {40, 15, 12};
           for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] / 4;
         }
         for (const double value : sum) image.pixels.push_back(static_cast<std::uint8_t>(std::lround(value)));
@@ -102,6 +103,15 @@ TEST(SettleMouth, FindsTheInnerLipsThatFlowTookIntoTheHollow) {
   const Landmarks found = settled(open, followed);
   for (const char* name : {"61", "62", "63", "65", "66", "67"})
     EXPECT_LT(apart_px(found, open.points(), name), 1.5) << name;
+}
+
+TEST(SettleMouth, FindsInnerLipsThatPartWithoutTheOuterOnes) {
+  const Mouth thin{.drop_px = 4, .part_px = 4};
+  Landmarks truth = thin.points();
+  for (const auto& [name, u] : {std::pair{"61", -1 / 3.0}, {"62", 0.0}, {"63", 1 / 3.0}})
+    point_of(truth, name).y_px = 120 + thin.inner_upper(u);
+  const Landmarks found = settled(thin, Mouth{.drop_px = 4}.points());
+  for (const char* name : {"61", "62", "63", "65", "66", "67"}) EXPECT_LT(apart_px(found, truth, name), 1.5) << name;
 }
 
 TEST(SettleMouth, FindsALowerLipThatFlowHasLostInTheHollow) {
