@@ -76,7 +76,7 @@ Image read_picture_bytes(std::string_view bytes, const std::string& title) {
   if (code >= 0) code = avcodec_send_packet(context.get(), packet.get());
   if (code >= 0) code = avcodec_send_packet(context.get(), nullptr);
   if (code >= 0) code = avcodec_receive_frame(context.get(), frame.get());
-  if (code < 0) fail(title, ": its picture cannot be decoded: ", av_error_text(code));
+  if (code < 0) return {};
   return image_of(*frame, title);
 }
 

@@ -13,7 +13,7 @@ namespace face::decode {
 // messages call it.
 Image image_of(const AVFrame& frame, const std::string& title);
 
-// A PNG, JPEG or WebP file in memory. Throws where it is damaged; of another format it has no pixels.
+// A PNG, JPEG or WebP file in memory; what is none, or damaged, has no pixels.
 Image read_picture_bytes(std::string_view bytes, const std::string& title);
 
 }  // namespace face::decode

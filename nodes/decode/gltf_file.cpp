@@ -68,19 +68,27 @@ void refuse_compressed(const tinygltf::Model& model, const std::string& title) {
     if (view.extensions.contains(meshopt)) refuse_meshopt(title);
 }
 
+std::vector<const engine::File::Entry*> gltf_entries(const engine::File& folder) {
+  std::vector<const engine::File::Entry*> found;
+  for (const engine::File::Entry& entry : folder.entries())
+    if (lower(entry.name).ends_with(".glb") || lower(entry.name).ends_with(".gltf")) found.push_back(&entry);
+  return found;
+}
+
 }  // namespace
 
-engine::File gltf_main_file(const engine::File& file) {
+std::optional<engine::File> find_gltf(const engine::File& file) {
   if (!file.is_folder()) return file;
-  std::vector<const engine::File::Entry*> found;
-  for (const engine::File::Entry& entry : file.entries())
-    if (lower(entry.name).ends_with(".glb") || lower(entry.name).ends_with(".gltf")) found.push_back(&entry);
-  if (found.size() != 1)
-    fail(
-        title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", found.size(),
-        " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
-        "glTF file with its buffers");
+  const std::vector<const engine::File::Entry*> found = gltf_entries(file);
+  if (found.size() != 1) return std::nullopt;
   return engine::File::at(found.front()->path);
+}
+
+engine::File gltf_main_file(const engine::File& file) {
+  if (const std::optional<engine::File> found = find_gltf(file)) return *found;
+  fail(title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", gltf_entries(file).size(),
+       " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
+       "glTF file with its buffers");
 }
 
 tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {

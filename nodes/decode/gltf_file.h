@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <string>
 
 #include "engine/port.h"
@@ -12,7 +13,10 @@ struct Primitive;
 
 namespace face::decode {
 
-// The glTF file of a folder that has one, or the file itself.
+// The glTF file of a folder that has one, or the file itself; none where a folder has none or several.
+std::optional<engine::File> find_gltf(const engine::File& file);
+
+// The same; throws where there is none.
 engine::File gltf_main_file(const engine::File& file);
 
 // Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are

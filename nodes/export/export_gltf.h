@@ -24,9 +24,9 @@ struct ExportGltfOptions {
 // frames: one list of weights per element of the timeline, none longer than the rig's shapes; a shorter one leaves the
 // rest 0. Memory: the file itself; frames are read one by one.
 //
-// original: the file that the rig was read from, names: what its shapes' names were mapped by; null = none. A binary
-// glTF file comes back as it is, with textures, bones and all, and the animation (animate_original.h); options do not
-// count then.
+// original: the file that the rig was read from, names: what its shapes' names were mapped by; null = none. A glTF
+// file comes back as it is, with textures, bones and all, and the animation (animate_original.h); options do not count
+// then.
 engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, const Timeline& timeline,
                          const engine::File* original = nullptr, const engine::File* names = nullptr,
                          const ExportGltfOptions& options = {});

@@ -114,7 +114,7 @@ int GltfBuffer::add_sparse_vectors(std::size_t count, const std::vector<std::uin
 
 std::string glb_bytes(nlohmann::json document, std::string binary) {
   pad(binary, '\0');
-  document["buffers"] = {{{"byteLength", binary.size()}}};
+  document["buffers"][0] = {{"byteLength", binary.size()}};
   std::string text = document.dump();
   pad(text, ' ');
   const std::size_t size = 12 + 8 + text.size() + 8 + binary.size();

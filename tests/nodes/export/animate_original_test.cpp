@@ -11,6 +11,7 @@
 #include "nodes/decode/read_rig.h"
 #include "nodes/export/export_gltf.h"
 #include "nodes/export/gltf_buffer.h"
+#include "tests/nodes/decode/temporary.h"
 #include "tests/nodes/export/test_head.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -120,7 +121,50 @@ TEST(AnimateOriginal, MovesEveryMeshWithTargetsByItsOwnNames) {
   EXPECT_EQ(now["accessors"][animation["samplers"][1]["output"].get<std::size_t>()]["count"], 2);
 }
 
-TEST(AnimateOriginal, LeavesToTheRigWhatIsNoFileOfItsOwn) {
+// The same head as programs hand it out in a folder: JSON, its buffer and its picture each in a file.
+TEST(AnimateOriginal, TakesInTheFilesOfAFolder) {
+  const engine::File head = own_head([](json& document) { document["images"] = {{{"uri", "skin%20tone.jpg"}}}; });
+  const test::Temporary folder;
+  json document = document_of(head.bytes());
+  document["buffers"][0]["uri"] = "scene.bin";
+  const auto write = [&](const std::string& name, const std::string& content) {
+    return engine::File::Entry{name, folder.write(name, content)};
+  };
+  const engine::File given =
+      engine::File::folder("head", {write("scene.bin", binary_of(head.bytes())), write("scene.gltf", document.dump()),
+                                    write("skin tone.jpg", "a picture")});
+  const engine::File names = lips_shut_is_mouth_close();
+  const Rig rig = decode::read_rig(head, &names);
+  const std::string out = export_gltf(rig, two_frames(), two_times(), &given, &names).bytes();
+  const json now = document_of(out);
+  ASSERT_EQ(now["buffers"].size(), 1u);
+  EXPECT_FALSE(now["buffers"][0].contains("uri"));
+  const json& image = now["images"][0];
+  EXPECT_EQ(image["mimeType"], "image/jpeg");
+  EXPECT_FALSE(image.contains("uri"));
+  const json& view = now["bufferViews"][image["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(binary_of(out).substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>()),
+            "a picture");
+  const Rig back = decode::read_rig(engine::File::from_bytes(out, ".glb"), &names);
+  EXPECT_EQ(back.neutral.points_mm, rig.neutral.points_mm);
+  EXPECT_EQ(back.shapes[arkit_index("jawOpen")].offsets_mm, rig.shapes[arkit_index("jawOpen")].offsets_mm);
+}
+
+TEST(AnimateOriginal, KeepsBuffersThatTheFileHoldsItself) {
+  const engine::File head = own_head([](json& document) {
+    document["buffers"].push_back({{"byteLength", 4}, {"uri", "data:application/octet-stream;base64,AAAAAA=="}});
+    document["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 4}});
+  });
+  const engine::File names = lips_shut_is_mouth_close();
+  const json before = document_of(head.bytes());
+  const json now =
+      document_of(export_gltf(decode::read_rig(head, &names), two_frames(), two_times(), &head, &names).bytes());
+  ASSERT_EQ(now["buffers"].size(), 2u);
+  EXPECT_EQ(now["buffers"][1], before["buffers"][1]);
+  EXPECT_EQ(now["bufferViews"][before["bufferViews"].size() - 1]["buffer"], 1);
+}
+
+TEST(AnimateOriginal, LeavesToTheRigWhatIsNoGltf) {
   const Rig rig = test::square_rig();
   const auto animated = [&](const engine::File& file) {
     return animate_original(file, {}, rig, two_frames(), two_times());
