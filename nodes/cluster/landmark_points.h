@@ -7,7 +7,7 @@
 namespace face::cluster {
 
 struct LandmarkPointsOptions {
-  int max_lost = 0;  // so many landmarks of a frame may be lost: they count at their last good place
+  int max_lost = 0;  // so many landmarks of a frame may be lost: they count where the tracker has left them
 };
 
 struct LandmarkPointsResult {

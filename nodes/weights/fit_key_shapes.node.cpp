@@ -14,5 +14,5 @@ NODE("weights.fit_key_shapes", &fit_key_shapes, version{1},
            "Weights >= 0, or of any sign for comparison"),
      param("sum_to_one", &FitKeyShapesOptions::sum_to_one, "The weights of a frame add up to one"),
      param("max_lost", &FitKeyShapesOptions::max_lost, range{0, 1000}, unit{"1"},
-           "So many landmarks of a frame may be lost: they count at their last good place"),
+           "So many landmarks of a frame may be lost: they count where the tracker has left them"),
      output("weights", "One weight per key shape; none where too many landmarks are lost"));
