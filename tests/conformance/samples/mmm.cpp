@@ -68,6 +68,8 @@ const Registered mmm({
             {"mmm.head_mask.frame", sized_picture},
             {"mmm.head_mask.landmarks", two_digit_points},
             {"mmm.warp_perspective.perspective", perspective},
+            {"mmm.read_opening.known_truth", two_digit_points},
+            {"mmm.read_opening.truth", two_digit_points},
             {"mmm.settle_mouth.start", two_digit_points},
             {"mmm.settle_mouth.landmarks", turned_points},
             {"mmm.settle_mouth.depths_px", point_depths},
@@ -91,6 +93,8 @@ const Registered mmm({
                {"mmm.paste.feather_px", 4.0},
                {"mmm.crop.width_px", whole(32)},
                {"mmm.crop.height_px", whole(24)}},
+    .values = {{"mmm.read_opening.upper", {text("30"), text("51")}},
+               {"mmm.read_opening.lower", {text("08"), text("57")}}},
     .only_refuses = {{"mmm.check_labels.timeline", "labels that do not end with it are refused, others given back"},
                      {"mmm.check_labels.apart_s", "labels that are heard elsewhere are refused, others given back"}},
 });
