@@ -198,6 +198,37 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
   return seen;
 }
 
+namespace {
+
+// Puts a dot's point that is beside it, farther than a patch is aligned over, back onto it: to where the dot is seen
+// again and no other point is, about its place or about where the others say that it is.
+void return_to_dot(const Knowledge& known, const Grey& now, const Image& patches, std::size_t index, Seen& seen) {
+  constexpr double taken_px = 3;
+  Sighting& place = seen.sightings[index];
+  std::vector<Sighting> others = seen.sightings;
+  forget(others[index]);
+  const auto is_taken = [&](const PatchMatch& match) {
+    return std::any_of(others.begin(), others.end(), [&](const Sighting& other) {
+      return is_seen(other) && std::hypot(other.x_px - match.x_px, other.y_px - match.y_px) < taken_px;
+    });
+  };
+  const auto look_about = [&](const Sighting& where, double reach_px) {
+    const PatchMatch match =
+        search_patch(own_patch(known, patches, index), known.sides_px[index], now, where.x_px, where.y_px, reach_px);
+    if (!match.converged || match.likeness < known.options.min_likeness ||
+        !is_inside(match.x_px, match.y_px, now.width, now.height) || is_taken(match))
+      return false;
+    place.x_px = match.x_px;
+    place.y_px = match.y_px;
+    seen.likeness[index] = match.likeness;
+    return true;
+  };
+  if (!look_about(place, 1.5 * known.options.search_px))
+    look_about(settle(known.start, others, known.bonds)[index], known.options.search_px);
+}
+
+}  // namespace
+
 void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen& seen) {
   for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
     Sighting& place = seen.sightings[i];
@@ -206,6 +237,8 @@ void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen&
     const bool near = pull_to_patch(match, known.is_dot(i), known.options, place);
     const auto& rigid = known.bonds.rigid;
     if (near) seen.likeness[i] = std::max(0.0, match.likeness);
+    if (known.is_dot(i) && seen.likeness[i] < seen_again_from(true, known.options))
+      return_to_dot(known, now, patches, i, seen);
     if (std::find(rigid.begin(), rigid.end(), i) != rigid.end() &&
         !(near && match.likeness >= known.options.min_likeness)) {
       forget(place);
