@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "nodes/base/check.h"
+#include "nodes/flow/cylinder_curvature.h"
 
 namespace face::flow {
 
@@ -27,6 +28,12 @@ FeatureMap cylinder_colours(const CylinderScan& scan, const CylinderColoursOptio
       for (std::size_t c = 0; c < 3; ++c)
         map.values[(c + 1) * count + i] = static_cast<float>(picture.pixels[3 * i + c]);
     }
+  if (options.curvature_scale_mm > 0) {
+    const CylinderCurvature curvature = cylinder_curvature(scan, options.curvature_scale_mm);
+    map.names.push_back("curvature");
+    map.values.insert(map.values.end(), curvature.times_scale.begin(), curvature.times_scale.end());
+    for (std::size_t p = 0; p < count; ++p) map.valid[p] = map.valid[p] != 0 && curvature.known[p] != 0 ? 1 : 0;
+  }
   return map;
 }
 

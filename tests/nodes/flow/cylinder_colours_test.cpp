@@ -20,6 +20,16 @@ CylinderScan ring() {
   return scan;
 }
 
+// 40 rows of 2 mm, 64 columns around.
+CylinderScan tube(float radius_mm) {
+  CylinderScan scan;
+  scan.step_mm = 2;
+  scan.phi_step_rad = 6.2831853f / 64;
+  scan.picture = {64, 40, 3, std::vector<std::uint8_t>(3 * 40 * 64, 128)};
+  scan.radius_mm.assign(40 * 64, radius_mm);
+  return scan;
+}
+
 TEST(CylinderColours, AreRadiusAndColourSideBySide) {
   const FeatureMap map = cylinder_colours(ring());
   EXPECT_EQ(map.names, (std::vector<std::string>{"radius", "red", "green", "blue"}));
@@ -32,6 +42,17 @@ TEST(CylinderColours, CountOnlyWhereMeasuredAndInFront) {
   scan.radius_mm[3] = 0;
   EXPECT_EQ(cylinder_colours(scan, {.half_angle_deg = 180}).valid, (std::vector<std::uint8_t>{1, 1, 1, 0, 1}));
   EXPECT_EQ(cylinder_colours(scan, {.half_angle_deg = 60}).valid, (std::vector<std::uint8_t>{0, 1, 1, 0, 0}));
+}
+
+TEST(CylinderColours, AddCurvatureWhereItIsAskedFor) {
+  CylinderScan scan = tube(60);
+  scan.radius_mm[20 * 64 + 10] = 0;
+  const FeatureMap map = cylinder_colours(scan, {.half_angle_deg = 180, .curvature_scale_mm = 3});
+  EXPECT_EQ(map.names.back(), "curvature");
+  ASSERT_EQ(map.values.size(), 5u * 40 * 64);
+  EXPECT_NEAR(map.values[4 * 40 * 64 + 20 * 64 + 32], 3 * 0.5 / 60, 1e-3);
+  EXPECT_EQ(map.valid[20 * 64 + 10], 0);
+  EXPECT_EQ(map.valid[20 * 64 + 11], 1);
 }
 
 TEST(CylinderColours, RejectsScansWhosePartsDoNotFit) {
