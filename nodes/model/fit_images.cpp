@@ -11,6 +11,7 @@
 #include "nodes/model/fit_joint.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
+#include "nodes/model/mouth_cost.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
@@ -26,13 +27,17 @@ constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, foca
 constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
                                                   0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
 constexpr double overlap_sigma_mm = 0.3, closed_sigma_mm = 0.1;
-constexpr double narrow_gap_mm = 3;     // up to which an open mouth is doubted
+constexpr double narrow_gap_mm = 4;     // up to which an open mouth is doubted
+constexpr double line_mm = 1;           // up to which nothing is seen between lips but the line where they meet
 constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
+// Photographs of closed mouths come out at 0.13 to 0.25, of open ones at 0.36 to 0.81.
+constexpr double lips_seen = 0.3;  // mouth_cost up to which what is between the lips is lips
 // Made persons come out within 0.005 of their pictures, photographs within 0.02: the rest is what no component
 // explains, and shape must not bend to explain it. From explained on, points and priors of the shape gain what pixels
 // lose in a proper likelihood, up to most_doubt times; light and albedo stay free.
 constexpr double explained = 0.01, most_doubt = 4;
-constexpr double huber = 2.5;  // sigmas from which an error of a point counts linearly only
+constexpr double usual_brightness = 0.6;  // of skin; in darker pictures differences are smaller in proportion
+constexpr double huber = 2.5;             // sigmas from which an error of a point counts linearly only
 constexpr int closing_steps = 8;
 constexpr int light_steps = 6;
 
@@ -61,7 +66,8 @@ void add_pixels(Joint& joint, std::size_t index, const PictureLevel& level, doub
   // The larger the differences, the more of them is what no coefficients explain; that is alike over whole regions, so
   // the picture counts as fewer independent points.
   const double noise = found.noise;
-  joint.pictures[index].doubt = std::clamp(std::pow(found.median / explained, 2), 1.0, most_doubt);
+  const double dimmed = std::clamp(rows.brightness / usual_brightness, 0.2, 1.0);
+  joint.pictures[index].doubt = std::clamp(std::pow(found.median / (explained * dimmed), 2), 1.0, most_doubt);
   const double trust = (least_noise / noise) * (least_noise / noise);
   const double weight = share * trust * joint.options.image_weight / found.points / (noise * noise);
   const auto width = static_cast<Eigen::Index>(rows.columns);
@@ -222,21 +228,25 @@ void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, R
   if (joint.gaps.empty()) return;
   Joint closed = joint;
   bool any = false;
+  std::vector<bool> is_line;
   for (Picture& picture : closed.pictures) {
     double gap = 0;
     for (const std::vector<double>& row : closed.gaps)
       for (std::size_t k = 0; k < closed.basis.expressions; ++k)
         gap += row[k] * picture.state.expression[k] / static_cast<double>(closed.gaps.size());
     picture.closed = gap < narrow_gap_mm;
+    is_line.push_back(gap < line_mm);
     any = any || picture.closed;
   }
   if (!any) return;
   for (int i = 0; i < closing_steps; ++i) step(closed, levels, stage, false, random);
+  // Twice what opens a mouth by its points alone: here pixels have spoken.
   const double evidence = FitLandmarksOptions{}.mouth_evidence;
   for (std::size_t m = 0; m < joint.pictures.size(); ++m)
     if (closed.pictures[m].closed &&
         (image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]) ||
-         point_cost(closed, m) > point_cost(joint, m) + evidence))
+         (!is_line[m] && mouth_cost(joint, closed, m, levels[m]) > lips_seen) ||
+         point_cost(closed, m) > point_cost(joint, m) + 2 * evidence))
       return;
   joint = std::move(closed);
 }

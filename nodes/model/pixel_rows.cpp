@@ -161,6 +161,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
   const Vec3 eye = vec(camera.position_mm);
   const std::size_t shapes = basis.shapes();
   std::size_t overexposed = 0, dark = 0;
+  double brightness = 0;
   Eigen::Matrix<float, 3, 9> shape_weights, albedo_weights;
   Eigen::Matrix<float, 9, Eigen::Dynamic> modes(9, static_cast<Eigen::Index>(std::max(shapes, basis.albedos)));
 
@@ -180,8 +181,10 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     const PoseView at =
         view(pose, {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
     const std::array<float, 9> picture = sample(level, at.x_px, at.y_px);
-    if (std::max({picture[0], picture[1], picture[2]}) > end_of_scale) ++overexposed;
-    if (std::max({picture[0], picture[1], picture[2]}) < all_but_black) ++dark;
+    const float brightest = std::max({picture[0], picture[1], picture[2]});
+    if (brightest > end_of_scale) ++overexposed;
+    if (brightest < all_but_black) ++dark;
+    brightness += static_cast<double>(brightest);
 
     // value_c = gain_c mix(srgb(L albedo))_c + offset_c; by_lit = its derivative by the lit albedo.
     double share = 1;  // of the parallel light
@@ -284,6 +287,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
   const double used = std::max<double>(1.0, static_cast<double>(rows.residual.size()) / 3.0);
   rows.overexposed = static_cast<double>(overexposed) / used;
   rows.dark = static_cast<double>(dark) / used;
+  rows.brightness = brightness / used;
   return rows;
 }
 

@@ -56,6 +56,7 @@ struct PixelRows {
   std::size_t visible = 0;      // pixels of skin that are seen
   double overexposed = 0;       // share of the points at the end of the scale
   double dark = 0;              // share of the points that are all but black
+  double brightness = 0;        // mean of the points' largest channel, 0 to 1
 };
 
 // A point of the skin: it stays on its triangle while parameters change (Blanz and Vetter, Face Recognition Based on

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fits of the real material's first frames: no truth, but mouths that anybody sees to be shut or open.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nodes/decode/read_identity_modes.h"
+#include "nodes/decode/read_landmarks.h"
+#include "nodes/decode/read_rig.h"
+#include "nodes/decode/read_video.h"
+#include "nodes/model/fit_image.h"
+#include "nodes/model/from_rig.h"
+#include "tests/nodes/decode/rig_folder.h"
+#include "tests/support/data.h"
+
+namespace face::model {
+namespace {
+
+const MorphableModel& model_of(const std::string& folder) {
+  static const MorphableModel model = [&] {
+    const engine::File file = test::folder_file(folder);
+    const ShapeSet persons = decode::read_identity_modes(file);
+    return from_rig(decode::read_rig(file, nullptr), &persons, {.albedos = 40, .samples = 200, .skins = 40});
+  }();
+  return model;
+}
+
+Image first_frame(const std::string& video) {
+  Image first;
+  engine::SeqWriter<Image> writer([&](const std::string& id, Image image) {
+    if (id == "0") first = std::move(image);
+  });
+  engine::Progress progress;
+  decode::read_video(engine::File::at(video), writer, progress);
+  return first;
+}
+
+double size_of(const std::vector<float>& coefficients) {
+  double squares = 0;
+  for (const float c : coefficients) squares += static_cast<double>(c) * static_cast<double>(c);
+  return std::sqrt(squares / static_cast<double>(coefficients.size()));
+}
+
+#define CLIP(name)                                  \
+  DATA_FILE(folder, "ict-face/FaceXModel");         \
+  DATA_FILE(video, "grid/" name ".mpg");            \
+  DATA_FILE(marks, "grid/" name ".landmarks.json"); \
+  const MorphableModel& model = model_of(folder);   \
+  const Image picture = first_frame(video);         \
+  const Landmarks points = decode::read_landmarks(engine::File::at(marks)).landmarks
+
+TEST(FitPhotographs, FindAShutMouthShut) {
+  CLIP("bbaf2n");
+  const FaceFit fit = fit_image(model, picture, points);
+  EXPECT_TRUE(fit.converged) << fit.problem;
+  EXPECT_LT(fit.landmark_nme, 0.04);
+  EXPECT_LT(std::abs(fit.lip_gap_mm), 0.5);
+}
+
+TEST(FitPhotographs, FindLipsApartWhereTeethShow) {
+  CLIP("brbk7n");  // about 4 mm, counted in pixels
+  const FaceFit fit = fit_image(model, picture, points);
+  EXPECT_TRUE(fit.converged) << fit.problem;
+  EXPECT_LT(fit.landmark_nme, 0.04);
+  EXPECT_GT(fit.lip_gap_mm, 1.5);
+  EXPECT_LT(fit.lip_gap_mm, 6);
+}
+
+TEST(FitPhotographs, DoNotBendTheHeadWhereThePictureIsDark) {
+  CLIP("pwij3p");
+  Image dark = picture;
+  for (std::uint8_t& value : dark.pixels) value = static_cast<std::uint8_t>(0.45 * value);
+  const FaceFit fit = fit_image(model, dark, points);
+  EXPECT_TRUE(fit.converged) << fit.problem;
+  EXPECT_LT(fit.landmark_nme, 0.04);
+  double sigmas = 0;
+  for (const float s : model.identity.sigmas) sigmas += static_cast<double>(s);
+  sigmas /= static_cast<double>(model.identity.sigmas.size());
+  EXPECT_LT(size_of(fit.identity) / sigmas, 0.9);  // in standard deviations; 1.2 before pictures' brightness counted
+  EXPECT_LT(std::abs(fit.lip_gap_mm), 0.5);
+}
+
+}  // namespace
+}  // namespace face::model
