@@ -7,8 +7,9 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/random.h"
+#include "nodes/base/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 #include "nodes/mmm/morph.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/nnls.h"
+#include "nodes/mmm/check_picture.h"
 #include "nodes/mmm/morph.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 

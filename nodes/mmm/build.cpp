@@ -9,8 +9,8 @@
 #include <set>
 
 #include "nodes/base/check.h"
+#include "nodes/mmm/check_picture.h"
 #include "nodes/mmm/morph.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 namespace {

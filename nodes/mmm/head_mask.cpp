@@ -6,7 +6,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/find_landmark.h"
-#include "nodes/mmm/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 
 namespace face::mmm {
 namespace {

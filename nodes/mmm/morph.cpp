@@ -7,9 +7,10 @@
 #include <string>
 
 #include "nodes/base/check.h"
+#include "nodes/base/sample_image.h"
 #include "nodes/flow/image_channels.h"
 #include "nodes/flow/robust_flow.h"
-#include "nodes/mmm/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 
 namespace face::mmm {
 namespace {

@@ -7,9 +7,9 @@
 #include "nodes/base/image_part.h"
 #include "nodes/flow/image_channels.h"
 #include "nodes/flow/robust_flow.h"
+#include "nodes/mmm/check_picture.h"
 #include "nodes/mmm/crop.h"
 #include "nodes/mmm/refine_perspective.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 namespace {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "nodes/base/check.h"
-#include "nodes/mmm/sample_image.h"
+#include "nodes/base/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 
 namespace face::mmm {
 

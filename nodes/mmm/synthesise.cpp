@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/sample_image.h"
 #include "nodes/mmm/add_grain.h"
 #include "nodes/mmm/keep_detail.h"
 #include "nodes/mmm/morph.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 #include "nodes/mmm/fit_perspective.h"
-#include "nodes/mmm/sample_image.h"
 
 namespace face::mmm {
 

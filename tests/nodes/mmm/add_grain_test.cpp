@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nodes/base/random.h"
-#include "nodes/mmm/sample_image.h"
+#include "nodes/base/sample_image.h"
 #include "nodes/mmm/synthesise.h"
 #include "tests/nodes/mmm/mouths.h"
 #include "tests/support/expect_throw_text.h"

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "nodes/base/sample_image.h"
 #include "nodes/mmm/crop.h"
 #include "nodes/mmm/head_mask.h"
-#include "nodes/mmm/sample_image.h"
 #include "nodes/mmm/warp_perspective.h"
 #include "tests/support/expect_throw_text.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "nodes/base/random.h"
+#include "nodes/base/sample_image.h"
 #include "nodes/mmm/fit_perspective.h"
-#include "nodes/mmm/sample_image.h"
 #include "nodes/mmm/warp_perspective.h"
 
 namespace face::mmm {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/mmm/sample_image.h"
+#include "nodes/mmm/check_picture.h"
 
 #include "nodes/base/check.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <string>
 
-#include "nodes/base/sample_image.h"
 #include "nodes/types/image.h"
 
 namespace face::mmm {
