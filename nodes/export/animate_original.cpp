@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/export/animate_original.h"
 
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
@@ -135,58 +139,27 @@ std::optional<Glb> read_original(const engine::File& given) {
   return glb;
 }
 
-const json* member(const json& object, const char* key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && found != object.end() ? &*found : nullptr;
-}
-
-// An element of a list of the document that another part refers to; null where there is none.
-const json* element(const json& document, const char* list, const json* index) {
-  const json* all = member(document, list);
-  if (all == nullptr || index == nullptr || !index->is_number_unsigned()) return nullptr;
-  return index->get<std::size_t>() < all->size() ? &(*all)[index->get<std::size_t>()] : nullptr;
-}
-
-// As decode's gltf_target_name finds them.
-std::vector<std::string> target_names(const json& document, const json& mesh) {
-  std::vector<std::string> names;
-  const json* primitives = member(mesh, "primitives");
-  if (primitives == nullptr || primitives->empty()) return names;
-  const json& primitive = primitives->front();
-  const json* targets = member(primitive, "targets");
-  if (targets == nullptr) return names;
-  for (std::size_t t = 0; t < targets->size(); ++t) {
-    std::string name;
-    if (const json* offsets = element(document, "accessors", member((*targets)[t], "POSITION")))
-      name = offsets->value("name", "");
-    for (const json* holder : {&primitive, &mesh}) {
-      const json* extras = member(*holder, "extras");
-      const json* listed = extras ? member(*extras, "targetNames") : nullptr;
-      if (listed != nullptr && t < listed->size() && (*listed)[t].is_string()) name = (*listed)[t].get<std::string>();
-    }
-    names.push_back(std::move(name));
-  }
-  return names;
-}
-
 // A channel for every node whose mesh has morph targets.
-std::vector<WeightChannel> channels_of(const json& document, const decode::ShapeNames& names, const Rig& rig,
+std::vector<WeightChannel> channels_of(const tinygltf::Model& model, const decode::ShapeNames& names, const Rig& rig,
                                        const std::vector<float>& rows) {
   std::map<std::string, std::size_t> shape_of;
   for (std::size_t s = 0; s < rig.shapes.size(); ++s) shape_of.emplace(rig.shapes[s].name, s);
   std::vector<WeightChannel> channels;
-  const json* nodes = member(document, "nodes");
-  for (std::size_t n = 0; nodes != nullptr && n < nodes->size(); ++n) {
-    const json* mesh = element(document, "meshes", member((*nodes)[n], "mesh"));
-    if (mesh == nullptr) continue;
-    const std::vector<std::string> targets = target_names(document, *mesh);
-    if (targets.empty()) continue;
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    const int index = model.nodes[n].mesh;
+    if (index < 0 || static_cast<std::size_t>(index) >= model.meshes.size()) continue;
+    const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(index)];
+    if (mesh.primitives.empty() || mesh.primitives[0].targets.empty()) continue;
+    std::vector<std::size_t> shapes;  // of each target; one that the rig does not have is behind its last
+    for (std::size_t t = 0; t < mesh.primitives[0].targets.size(); ++t) {
+      const std::string name = names.in_rig(decode::gltf_target_name(model, mesh, mesh.primitives[0], t));
+      const auto shape = shape_of.find(name);
+      shapes.push_back(shape == shape_of.end() ? rig.shapes.size() : shape->second);
+    }
     WeightChannel channel{static_cast<int>(n), {}};
     for (std::size_t row = 0; row < rows.size(); row += rig.shapes.size())
-      for (const std::string& target : targets) {
-        const auto shape = shape_of.find(names.in_rig(target));
-        channel.values.push_back(shape == shape_of.end() ? 0.0f : rows[row + shape->second]);
-      }
+      for (const std::size_t shape : shapes)
+        channel.values.push_back(shape == rig.shapes.size() ? 0.0f : rows[row + shape]);
     channels.push_back(std::move(channel));
   }
   return channels;
@@ -236,7 +209,8 @@ std::optional<engine::File> animate_original(const engine::File& original, const
                                              const Timeline& timeline) {
   std::optional<Glb> glb = read_original(original);
   if (!glb) return std::nullopt;
-  const std::vector<WeightChannel> channels = channels_of(glb->document, names, rig, weight_rows(rig, frames));
+  const std::vector<WeightChannel> channels =
+      channels_of(decode::load_gltf(original, decode::gltf_main_file(original)), names, rig, weight_rows(rig, frames));
   if (channels.empty()) return std::nullopt;
   GltfBuffer buffer;
   json animation = animation_of(channels, timeline, buffer);
