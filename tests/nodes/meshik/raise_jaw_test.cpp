@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/types/arkit.h"
+#include "tests/nodes/meshik/landmark_rig.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace {
@@ -13,20 +14,9 @@ namespace {
 using namespace face;
 using namespace face::meshik;
 
-// A rig that is its 68 landmarks alone. Its jaw takes the lower lip along; mouthClose brings the lips together again.
-Rig landmark_rig() {
-  Rig rig;
-  rig.neutral.points_mm.resize(68, {0, 0, 0});
-  for (std::uint32_t i = 0; i < 68; ++i) rig.landmarks68.push_back(i);
-  auto& points = rig.neutral.points_mm;
-  for (std::uint32_t i = 0; i < 12; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / 12;
-    points[48 + i] = {static_cast<float>(-25 * std::cos(angle)), static_cast<float>(8 * std::sin(angle)), 0};
-  }
-  points[39] = {-16, 60, 0};
-  points[42] = {16, 60, 0};
-  points[30] = {0, 30, 10};
-  for (std::uint32_t i = 0; i < 3; ++i) points[7 + i] = {20 * (static_cast<float>(i) - 1), -45, 0};
+// Its jaw takes the lower lip along; mouthClose brings the lips together again.
+Rig speaking_rig() {
+  Rig rig = test::landmark_rig();
   rig.shapes.resize(arkit_count);
   for (std::size_t s = 0; s < arkit_count; ++s) rig.shapes[s].name = arkit_names[s];
   const auto move = [&](const char* name, std::vector<std::uint32_t> vertices, std::vector<float> up_mm) {
@@ -85,7 +75,7 @@ double farthest_px(const Landmarks& a, const Landmarks& b) {
 }
 
 TEST(RaiseJaw, FindsTheRestOfSomebodyWhoNeverRests) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks shut = seen(rig, 0.1f, 0.1f, 0), truth = seen(rig, 0, 0, 0);
   EXPECT_GT(farthest_px(shut, truth), 3.9);
   EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(speech(rig)), shut, nullptr), truth),
@@ -93,7 +83,7 @@ TEST(RaiseJaw, FindsTheRestOfSomebodyWhoNeverRests) {
 }
 
 TEST(RaiseJaw, BelievesAMouthThatRestsLongerThanAnyClosure) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks rest = seen(rig, 0.1f, 0.1f, 0);
   std::vector<Landmarks> frames = speech(rig);
   frames.insert(frames.end(), 9, rest);  // the last 3 frames of speech are others
@@ -103,13 +93,13 @@ TEST(RaiseJaw, BelievesAMouthThatRestsLongerThanAnyClosure) {
 }
 
 TEST(RaiseJaw, LeavesARestThatIsOne) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks rest = seen(rig, 0, 0, 0);
   EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(speech(rig)), rest, nullptr), rest), 0.1);
 }
 
 TEST(RaiseJaw, IsNotLedAstrayByAFrameOrTwoNorByLostPoints) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks rest = seen(rig, 0, 0, 0);
   std::vector<Landmarks> frames = speech(rig);
   frames[8] = frames[20] = seen(rig, -0.4f, 0, 0);
@@ -118,14 +108,14 @@ TEST(RaiseJaw, IsNotLedAstrayByAFrameOrTwoNorByLostPoints) {
 }
 
 TEST(RaiseJaw, RaisesByNoMoreThanMost) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks shut = seen(rig, 0.5f, 0.5f, 0);
   const Landmarks raised = raise_jaw(rig, engine::Seq<Landmarks>(speech(rig)), shut, nullptr);
   EXPECT_NEAR(shut.points[16].y_px - raised.points[16].y_px, 0.15 * 20 / 0.5, 0.6);  // the scale is of the wrong rest
 }
 
 TEST(RaiseJaw, LeavesTheRestWhereTheRigCannotShutItsMouthOrNoFrameIsSeen) {
-  Rig rig = landmark_rig();
+  Rig rig = speaking_rig();
   const Landmarks shut = seen(rig, 0.1f, 0.1f, 0);
   EXPECT_EQ(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(), shut, nullptr), shut), 0);
   const std::vector<Landmarks> frames = speech(rig);
@@ -134,7 +124,7 @@ TEST(RaiseJaw, LeavesTheRestWhereTheRigCannotShutItsMouthOrNoFrameIsSeen) {
 }
 
 TEST(RaiseJaw, RejectsFramesOfOtherLandmarks) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Landmarks rest = seen(rig, 0, 0, 0);
   Landmarks fewer = rest;
   fewer.points.pop_back();

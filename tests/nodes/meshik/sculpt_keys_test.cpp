@@ -7,6 +7,7 @@
 
 #include "nodes/meshik/blend_linear.h"
 #include "nodes/meshik/transfer_landmarks.h"
+#include "tests/nodes/meshik/landmark_rig.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace {
@@ -14,21 +15,8 @@ namespace {
 using namespace face;
 using namespace face::meshik;
 
-// A rig that is its 68 landmarks alone: lips on a ring, eyes and nose above, jaw below.
-Rig landmark_rig() {
-  Rig rig;
-  rig.neutral.points_mm.resize(68, {0, 0, 0});
-  for (std::uint32_t i = 0; i < 68; ++i) rig.landmarks68.push_back(i);
-  auto& points = rig.neutral.points_mm;
-  for (int i = 0; i < 12; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / 12;
-    points[static_cast<std::size_t>(48 + i)] = {static_cast<float>(-25 * std::cos(angle)),
-                                                static_cast<float>(8 * std::sin(angle)), 0};
-  }
-  points[39] = {-16, 60, 0};
-  points[42] = {16, 60, 0};
-  points[30] = {0, 30, 10};
-  for (int i = 0; i < 3; ++i) points[static_cast<std::size_t>(7 + i)] = {static_cast<float>(20 * (i - 1)), -45, 0};
+Rig speaking_rig() {
+  Rig rig = test::landmark_rig();
   Shape open{"jawOpen", {7, 8, 9, 55, 56, 57, 58, 59}, {}};
   for (std::size_t i = 0; i < 8; ++i) open.offsets_mm.push_back({0, i < 3 ? -20.0f : -16.0f, -3});
   Shape pucker{"mouthPucker", {48, 54}, {{9, 0, 4}, {-9, 0, 4}}};
@@ -74,7 +62,7 @@ Sculpted sculpt(const Rig& rig, const KeyShapes& keys, const Landmarks& neutral,
 }
 
 TEST(SculptKeys, FindsTheWeightsThatMadeTheLandmarks) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const KeyShapes keys{{{"1", 1, seen(rig, 0.6f, 0)}, {"2", 1, seen(rig, 0.1f, 0.8f)}}};
   const Sculpted found = sculpt(rig, keys, seen(rig, 0, 0), {1e-9});
   EXPECT_NEAR(found.result.mm_per_px, 0.5, 1e-6);
@@ -87,7 +75,7 @@ TEST(SculptKeys, FindsTheWeightsThatMadeTheLandmarks) {
 }
 
 TEST(SculptKeys, StaysWithinTheRigsRange) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Sculpted found = sculpt(rig, {{{"1", 1, seen(rig, 1.7f, -0.5f)}}}, seen(rig, 0, 0));
   EXPECT_EQ(found.weights[0].values[0], 1);
   EXPECT_EQ(found.weights[0].values[1], 0);
@@ -106,11 +94,11 @@ Viseme viseme(float open, float pucker) {
 }
 
 TEST(SculptKeys, OfTwoShapesThatLookAlikeTakesTheOneThatSpeechUses) {
-  Rig rig = landmark_rig();
+  Rig rig = speaking_rig();
   Shape alike = rig.shapes[0];  // moves the landmarks by as much, and something else
   alike.name = "mouthFunnel";
   rig.shapes.insert(rig.shapes.begin(), alike);
-  const Landmarks rest = seen(landmark_rig(), 0, 0), open = seen(landmark_rig(), 0.5f, 0);
+  const Landmarks rest = seen(speaking_rig(), 0, 0), open = seen(speaking_rig(), 0.5f, 0);
   const KeyShapes keys{{{"1", 1, open}}};
   const Sculpted plain = sculpt(rig, keys, rest);
   EXPECT_NEAR(plain.weights[0].values[0], plain.weights[0].values[1], 1e-6);
@@ -121,7 +109,7 @@ TEST(SculptKeys, OfTwoShapesThatLookAlikeTakesTheOneThatSpeechUses) {
 }
 
 TEST(SculptKeys, UsesNoShapeThatMovesNoLandmark) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const Visemes table{{viseme(0.4f, 0.4f)}};
   // The lips' corners are not among these landmarks: what the jaw says decides.
   Landmarks rest = seen(rig, 0, 0), open = seen(rig, 0.4f, 0);
@@ -136,14 +124,14 @@ TEST(SculptKeys, UsesNoShapeThatMovesNoLandmark) {
 }
 
 TEST(SculptKeys, RejectsVisemesOfAnotherNumberOfShapes) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   Visemes table{{viseme(0.4f, 0)}};
   table.visemes[0].weights.pop_back();
   EXPECT_THROW_TEXT(sculpt(rig, {}, seen(rig, 0, 0), {}, &table), "viseme AA has 51 weights, expected 52");
 }
 
 TEST(SculptKeys, RejectsARigOrLandmarksThatDoNotFit) {
-  Rig rig = landmark_rig();
+  Rig rig = speaking_rig();
   Landmarks upside_down = seen(rig, 0, 0);
   for (Landmark& point : upside_down.points) {
     point.x_px *= -1;
@@ -153,11 +141,11 @@ TEST(SculptKeys, RejectsARigOrLandmarksThatDoNotFit) {
   EXPECT_THROW_TEXT(sculpt(rig, {}, {{{"a", 0, 0, true}}}),
                     "no landmark is called lip_0 to lip_11, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l or nose_tip");
   rig.landmarks68.clear();
-  EXPECT_THROW_TEXT(sculpt(rig, {}, seen(landmark_rig(), 0, 0)), "the rig has 0 landmarks, expected 68");
+  EXPECT_THROW_TEXT(sculpt(rig, {}, seen(speaking_rig(), 0, 0)), "the rig has 0 landmarks, expected 68");
 }
 
 TEST(TransferLandmarks, BlendsTheLandmarksOfTheKeyMeshes) {
-  const Rig rig = landmark_rig();
+  const Rig rig = speaking_rig();
   const KeyShapes keys{{{"1", 1, seen(rig, 1, 0)}, {"2", 1, seen(rig, 0, 1)}}};
   const engine::Seq<Mesh> meshes(sculpt(rig, keys, seen(rig, 0, 0), {1e-9}).meshes);
   const VertexTargets targets = transfer_landmarks(rig, meshes, keys, {{0.5f, 0.25f}});
