@@ -22,14 +22,6 @@ double trimmed_normal(Random& random) {
   return value;
 }
 
-// Which person: the seed, and where there is an id another one for each (FNV-1a, Fowler, Noll and Vo).
-std::int64_t person_seed(std::int64_t seed, const std::string* id) {
-  if (!id) return seed;
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (const char c : *id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return static_cast<std::int64_t>((hash ^ static_cast<std::uint64_t>(seed)) >> 1);
-}
-
 Matrix random_coefficients(const ShapeSet* modes, std::int64_t seed, double spread) {
   const std::size_t count = modes ? modes->shapes.size() : 0;
   Matrix coefficients{1, count, std::vector<double>(count)};
@@ -74,10 +66,10 @@ MakePersonResult make_person(const Rig& rig, const ShapeSet* modes, const std::s
   if (!options.skin && !options.moles && !options.lipstick && !options.painted && options.markers == Markers::none)
     return result;
   const FacePlaces places(rig);
-  if (options.skin) color_person(rig.neutral, places, {seed, options.beard}, person.neutral);
+  if (options.skin) color_person(rig.neutral, places, {seed, options.beard, options.lightest}, person.neutral);
   if (options.lipstick) put_lipstick(rig.neutral, places, seed, person.neutral);
   if (options.painted) paint_person(seed, person.neutral);
-  if (options.moles) result.dots = random_moles(rig, places, seed);
+  if (options.moles) result.dots = random_moles(rig, places, seed, options.lightest);
   if (options.markers != Markers::none) {
     const Vector3 white = {0.97, 0.97, 0.96}, black = {0.03, 0.03, 0.03};
     result.markers =

@@ -17,6 +17,7 @@ struct MakePersonOptions {
   double spread = 1;      // standard deviations of the identity coefficients; 0 = the rig's own identity
   double warp_mm = 0;     // root mean square of the smooth warp over the face's skin; 0 = off
   bool skin = true;       // skin tone, lips, brows, cheeks of this person
+  double lightest = 1;    // skin is drawn from 0, the darkest tone, to this; 0.3 makes persons of dark skin
   double beard = 0.25;    // chance of a beard shadow
   bool moles = true;      // moles and freckles (as dots)
   bool painted = false;   // a painted look: flat skin, drawn lips, brows and cheeks

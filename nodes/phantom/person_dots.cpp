@@ -98,7 +98,7 @@ SurfaceDot dropped(const Rig& rig, const std::vector<Corners>& triangles, double
 
 }  // namespace
 
-SurfaceDots random_moles(const Rig& rig, const FacePlaces& places, std::int64_t seed) {
+SurfaceDots random_moles(const Rig& rig, const FacePlaces& places, std::int64_t seed, double lightest) {
   std::vector<Corners> triangles;
   std::vector<double> area_below = {0};
   const double chin_y = places.mark(8).y, brow_y = places.mark(19).y, eye_y = places.mark(36).y;
@@ -129,7 +129,7 @@ SurfaceDots random_moles(const Rig& rig, const FacePlaces& places, std::int64_t 
   const auto size = [&](double least_mm, double most_mm) {
     return static_cast<float>(least_mm + (most_mm - least_mm) * square(random.uniform()));
   };
-  const SkinTone tone = skin_tone(seed);
+  const SkinTone tone = skin_tone(seed, lightest);
   const int moles = static_cast<int>(random.uniform(1, 8));
   // Four in ten of the lightest third have freckles.
   const bool freckled = tone.lightness > 0.6 && random.uniform() < 0.4;

@@ -90,7 +90,7 @@ struct Complexion {
 
 Complexion random_complexion(const PersonSkinOptions& options, Vector3 rig_skin) {
   Complexion look;
-  look.tone = skin_tone(options.seed);
+  look.tone = skin_tone(options.seed, options.lightest);
   look.tint = ratio(look.tone.color_srgb, rig_skin);
   Random random = series(options.seed, 4);
   const double red = random.uniform(0.96, 1.2);
@@ -139,10 +139,10 @@ double painted_brow(const FacePlaces& places, Vector3 p, Vector3 color, Vector3 
 
 }  // namespace
 
-SkinTone skin_tone(std::int64_t seed) {
+SkinTone skin_tone(std::int64_t seed, double lightest) {
   Random random = series(seed, 3);
   SkinTone tone;
-  tone.lightness = std::pow(random.uniform(), 0.8);  // more light ones than dark ones
+  tone.lightness = lightest * std::pow(random.uniform(), 0.8);  // more light ones than dark ones
   const double place = tone.lightness * (kTones.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(place), kTones.size() - 2);
   tone.color_srgb = lerp(kTones[k], kTones[k + 1], place - static_cast<double>(k));

@@ -10,6 +10,7 @@ namespace face::phantom {
 struct PersonSkinOptions {
   std::int64_t seed = 1;
   double beard = 0.25;  // chance of a beard shadow
+  double lightest = 1;  // of the tone's lightness
 };
 
 // Gives the person a skin tone with uneven places, lips, cheeks, hair, brows and eyes of its own, by multiplying the
@@ -22,11 +23,11 @@ void put_lipstick(const Mesh& rig_neutral, const FacePlaces& places, std::int64_
 // Repaints the person as if with a brush: few tones from a warm palette, light and shade painted on, strokes, no gloss.
 void paint_person(std::int64_t seed, Mesh& person);
 
-// The tone of a person's skin, sRGB, and how light it is from 0 (darkest) to 1.
+// The tone of a person's skin, sRGB, and how light it is from 0 (darkest) to 1, or `lightest`.
 struct SkinTone {
   Vector3 color_srgb;
   double lightness = 1;
 };
-SkinTone skin_tone(std::int64_t seed);
+SkinTone skin_tone(std::int64_t seed, double lightest = 1);
 
 }  // namespace face::phantom

@@ -4,6 +4,7 @@
 
 #include "nodes/types/arkit.h"
 #include "nodes/types/audio.h"
+#include "nodes/types/camera.h"
 #include "nodes/types/table.h"
 #include "nodes/types/timeline.h"
 #include "nodes/types/weights.h"
@@ -49,6 +50,12 @@ const Maker starting_audio = changed<face::Audio>(another("audio", 0), [](face::
     audio.samples[i] *= 0.1f * static_cast<float>(i) / static_cast<float>(quiet);
 });
 
+// Turned about the upright axis, farther in every variant.
+const Maker turned_camera = changed<face::Camera>(another("camera", 0), [](face::Camera& camera, int variant) {
+  const auto c = static_cast<float>(std::cos(0.1 * variant)), s = static_cast<float>(std::sin(0.1 * variant));
+  camera.cam_from_world = {c, 0, s, 0, 1, 0, -s, 0, c};
+});
+
 // A truth is not what is judged.
 const Registered evaluate({
     .inputs =
@@ -58,6 +65,7 @@ const Registered evaluate({
             {"evaluate.clustering.planted", columns_of({{0, 0, 0, 1, 1, 2}, {0, 1, 1, 1, 1, 1}})},
             {"evaluate.curve_plot.curves", curves},
             {"evaluate.curve_plot.more", curves},
+            {"evaluate.face_fit.camera", turned_camera},
             {"evaluate.landmarks.track", face_points},
             {"evaluate.landmarks.truth",
              [](engine::Plugins& plugins, int variant) { return face_points(plugins, variant + 2); }},

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/conformance/samples/area_samples.h"
+#include <string>
+
+#include "nodes/types/rig.h"
+#include "tests/conformance/samples/shared.h"
 
 namespace conformance {
 namespace {
+
+// With more shapes of its own from variant to variant.
+const Maker larger_rig = changed<face::Rig>(another("rig", 0), [](face::Rig& rig, int variant) {
+  for (int s = 0; s < variant; ++s) rig.shapes.push_back({"own_" + std::to_string(s), {}, {}});
+});
 
 const Registered phantom({
     .inputs =
@@ -11,6 +19,8 @@ const Registered phantom({
             {"phantom.scan_frame.projector", another("camera", 12)},
             {"phantom.lose_points.projector", another("camera", 12)},
             {"phantom.pattern_images.projector", another("camera", 12)},
+            {"phantom.make_view.rig", larger_rig},
+            {"phantom.mark_points.exact", two_digit_points},
             {"phantom.read_configurations.file",
              text_file(".json", {R"({"open": {"jawOpen": 0.5}})", R"({"open": {"jawOpen": 0.7}})"})},
         },

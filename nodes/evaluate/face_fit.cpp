@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/evaluate/face_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "nodes/align/orient.h"
+#include "nodes/base/check.h"
+#include "nodes/base/mouth.h"
+#include "nodes/base/pose.h"
+#include "nodes/evaluate/statistics.h"
+#include "nodes/model/pose_model.h"
+#include "nodes/model/skin_basis.h"
+
+namespace face::evaluate {
+namespace {
+
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Eigen::Matrix3d rotation_of(const Camera& camera) {
+  Rows3 r;
+  for (int i = 0; i < 9; ++i) r(i / 3, i % 3) = camera.cam_from_world[static_cast<std::size_t>(i)];
+  return r;
+}
+
+Eigen::Matrix3d rotation_of(const RigidMotion& motion) { return Eigen::Map<const Rows3>(motion.rotation.data()); }
+
+// By sine and cosine both: the arc cosine alone is blind to small angles.
+double angle_deg(const Eigen::Matrix3d& r) {
+  const Eigen::Vector3d axis(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
+  return std::atan2(axis.norm(), r.trace() - 1) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+Table face_fit(const MorphableModel& model, const FaceFit& fit, const Rig& rig, const Weights& weights,
+               const RigidMotion* world_from_head, const Camera& camera, const FaceFit* start,
+               const RigidMotion* start_world_from_head) {
+  check(rig.neutral.points_mm.size() == model.mean.points_mm.size(), "the rig has ", rig.neutral.points_mm.size(),
+        " vertices, the model ", model.mean.points_mm.size());
+  const RigidMotion rest;
+  const Eigen::Matrix3d truth = rotation_of(camera) * rotation_of(world_from_head != nullptr ? *world_from_head : rest);
+  const std::vector<Vec3f> real = pose_points(rig, weights);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  double vertex = nan, vertex_p90 = nan, pose = nan, gap = nan;
+  const double true_gap = lip_gap_mm(rig, real);
+  if (!fit.identity.empty() || !fit.expression.empty()) {
+    const std::vector<Vec3f> found = model::pose_model(model, fit.identity, fit.expression);
+    std::vector<std::array<double, 3>> from, to;
+    for (const std::uint32_t v : model::make_skin_basis(model, 0, 0, 0).vertices) {
+      from.push_back({found[v][0], found[v][1], found[v][2]});
+      to.push_back({real[v][0], real[v][1], real[v][2]});
+    }
+    const align::AbsoluteOrientation together =
+        align::absolute_orientation(from, to, std::vector<double>(from.size(), 1.0));
+    const Eigen::Matrix3d own = rotation_of(together.to_from);
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < from.size() && together.solved; ++i) {
+      const Eigen::Vector3d at = own * Eigen::Map<const Eigen::Vector3d>(from[i].data()) +
+                                 Eigen::Map<const Eigen::Vector3d>(together.to_from.translation_mm.data());
+      distances.push_back((at - Eigen::Map<const Eigen::Vector3d>(to[i].data())).norm());
+    }
+    vertex = quantile_of(distances, 0.5);
+    vertex_p90 = quantile_of(distances, 0.9);
+    gap = std::abs(fit.lip_gap_mm - true_gap);
+    const Eigen::Matrix3d seen = rotation_of(fit.camera);
+    if (start != nullptr) {
+      const Eigen::Matrix3d moved = seen * rotation_of(start->camera).transpose();
+      const Eigen::Matrix3d true_start =
+          rotation_of(camera) * rotation_of(start_world_from_head != nullptr ? *start_world_from_head : rest);
+      pose = angle_deg(moved * (truth * true_start.transpose()).transpose());
+    } else if (together.solved) {
+      pose = angle_deg(seen * own.transpose() * truth.transpose());
+    }
+  }
+  const double turn = std::acos(std::clamp(truth(2, 2), -1.0, 1.0)) * 180 / std::numbers::pi;
+  return one_row("fit",
+                 {"vertex_mm", "vertex_p90_mm", "pose_deg", "lip_gap_mm", "true_gap_mm", "turn_deg", "landmark_percent",
+                  "image_percent", "converged"},
+                 {vertex, vertex_p90, pose, gap, true_gap, turn, 100 * fit.landmark_nme, 100 * fit.image_rms,
+                  fit.converged ? 1.0 : 0.0});
+}
+
+}  // namespace face::evaluate
