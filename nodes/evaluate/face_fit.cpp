@@ -47,7 +47,7 @@ Table face_fit(const MorphableModel& model, const FaceFit& fit, const Rig& rig, 
   const Eigen::Matrix3d truth = rotation_of(camera) * rotation_of(world_from_head != nullptr ? *world_from_head : rest);
   const std::vector<Vec3f> real = pose_points(rig, weights);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  double vertex = nan, vertex_p90 = nan, pose = nan, gap = nan;
+  double vertex = nan, shape = nan, shape_p90 = nan, size = nan, pose = nan, gap = nan;
   const double true_gap = lip_gap_mm(rig, real);
   if (!fit.identity.empty() || !fit.expression.empty()) {
     const std::vector<Vec3f> found = model::pose_model(model, fit.identity, fit.expression);
@@ -59,14 +59,30 @@ Table face_fit(const MorphableModel& model, const FaceFit& fit, const Rig& rig, 
     const align::AbsoluteOrientation together =
         align::absolute_orientation(from, to, std::vector<double>(from.size(), 1.0));
     const Eigen::Matrix3d own = rotation_of(together.to_from);
-    std::vector<double> distances;
+    const auto vec = [](const std::array<double, 3>& p) { return Eigen::Map<const Eigen::Vector3d>(p.data()); };
+    Eigen::Vector3d found_middle = Eigen::Vector3d::Zero(), real_middle = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      found_middle += vec(from[i]) / static_cast<double>(from.size());
+      real_middle += vec(to[i]) / static_cast<double>(from.size());
+    }
+    // Of rotated fits the scale that is best: the same rotation and middles serve with and without it.
+    double along = 0, squares = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Eigen::Vector3d arm = own * (vec(from[i]) - found_middle);
+      along += arm.dot(vec(to[i]) - real_middle);
+      squares += arm.squaredNorm();
+    }
+    const double scale = along / squares;
+    std::vector<double> distances, shape_distances;
     for (std::size_t i = 0; i < from.size() && together.solved; ++i) {
-      const Eigen::Vector3d at = own * Eigen::Map<const Eigen::Vector3d>(from[i].data()) +
-                                 Eigen::Map<const Eigen::Vector3d>(together.to_from.translation_mm.data());
-      distances.push_back((at - Eigen::Map<const Eigen::Vector3d>(to[i].data())).norm());
+      const Eigen::Vector3d arm = own * (vec(from[i]) - found_middle), real_arm = vec(to[i]) - real_middle;
+      distances.push_back((arm - real_arm).norm());
+      shape_distances.push_back((scale * arm - real_arm).norm());
     }
     vertex = quantile_of(distances, 0.5);
-    vertex_p90 = quantile_of(distances, 0.9);
+    shape = quantile_of(shape_distances, 0.5);
+    shape_p90 = quantile_of(shape_distances, 0.9);
+    if (together.solved) size = 100 * (1 / scale - 1);
     gap = std::abs(fit.lip_gap_mm - true_gap);
     const Eigen::Matrix3d seen = rotation_of(fit.camera);
     if (start != nullptr) {
@@ -80,10 +96,10 @@ Table face_fit(const MorphableModel& model, const FaceFit& fit, const Rig& rig, 
   }
   const double turn = std::acos(std::clamp(truth(2, 2), -1.0, 1.0)) * 180 / std::numbers::pi;
   return one_row("fit",
-                 {"vertex_mm", "vertex_p90_mm", "pose_deg", "lip_gap_mm", "true_gap_mm", "turn_deg", "landmark_percent",
-                  "image_percent", "converged"},
-                 {vertex, vertex_p90, pose, gap, true_gap, turn, 100 * fit.landmark_nme, 100 * fit.image_rms,
-                  fit.converged ? 1.0 : 0.0});
+                 {"vertex_mm", "shape_mm", "shape_p90_mm", "size_percent", "pose_deg", "lip_gap_mm", "true_gap_mm",
+                  "turn_deg", "landmark_percent", "image_percent", "converged"},
+                 {vertex, shape, shape_p90, size, pose, gap, true_gap, turn, 100 * fit.landmark_nme,
+                  100 * fit.image_rms, fit.converged ? 1.0 : 0.0});
 }
 
 }  // namespace face::evaluate

@@ -11,9 +11,11 @@
 namespace face::evaluate {
 
 // A fit beside the person whom it shows: one row "fit".
-// vertex_mm, vertex_p90_mm: median and 90th percentile of the distances of fitted and true vertices, over the skin that
-//   fits compare with pictures (model/skin_basis.h), after the rotation and translation, no scaling, that bring them
-//   together best.
+// vertex_mm: median of the distances of fitted and true vertices, over the skin that fits compare with pictures
+//   (model/skin_basis.h), after the rotation and translation that bring them together best.
+// shape_mm, shape_p90_mm: median and 90th percentile with the best scale too; size_percent: by how much the fit is too
+//   large. A picture of a small head that is near and one of a large head that is far are the same picture, so size is
+//   known from what goes with it in the model alone.
 // pose_deg: the angle between the true orientation of the head in the camera and the fitted one, that of the head as
 //   brought together above: a model's components also turn the head within its own frame. With `start` it is counted
 //   from the start's: how well a head was followed, whatever its first frame was worth.

@@ -12,4 +12,4 @@ NODE("evaluate.face_fit", &face_fit, version{1},
      input{"world_from_head", "Where the head truly is; unconnected: at rest"}, input{"camera", "The true camera"},
      input{"start", "The fit of the first frame, from which turns are counted; unconnected: from the camera"},
      input{"start_world_from_head", "Where the head truly was there"},
-     output("table", "One row: vertex_mm and its 90th percentile, pose_deg, lip_gap_mm, and what the fit says itself"));
+     output("table", "One row: vertex_mm, shape_mm, size_percent, pose_deg, lip_gap_mm, and what the fit says itself"));

@@ -91,6 +91,18 @@ TEST(FaceFit, MeasuresHowFarTheMiddleVertexIsOff) {
   EXPECT_NEAR(cell(table, "fit", "vertex_mm"), 1, 0.05);  // 35 vertices: their mean is not quite 0
 }
 
+TEST(FaceFit, TellsSizeFromShape) {
+  Rig person = test::small_face();
+  for (Vec3f& p : person.neutral.points_mm)
+    for (float& x : p) x *= 0.8f;
+  FaceFit fit;
+  fit.identity = {0};
+  const Table table = face_fit(turning_model(), fit, person, test::jaw(0), nullptr, {}, nullptr, nullptr);
+  EXPECT_GT(cell(table, "fit", "vertex_mm"), 3);
+  EXPECT_NEAR(cell(table, "fit", "shape_mm"), 0, 1e-5);
+  EXPECT_NEAR(cell(table, "fit", "size_percent"), 25, 1e-4);
+}
+
 TEST(FaceFit, OfPointsThatWereNoUseMeasuresNothing) {
   const Table table = face_fit(turning_model(), {}, test::small_face(), test::jaw(0), nullptr, {}, nullptr, nullptr);
   EXPECT_TRUE(std::isnan(cell(table, "fit", "vertex_mm")));
