@@ -3,6 +3,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/flow/dense_flow.h"
+#include "nodes/flow/recover_lost.h"
 
 namespace face::flow {
 
@@ -24,15 +25,25 @@ FlowField scan_flow(const FeatureMap& reference, const FeatureMap& target, const
   dense.first_looseness = 3;
   dense.search = options.search;
   dense.median = true;
+  std::vector<float> scales;
   for (std::size_t c = 0; c < reference.names.size(); ++c) {
-    const float scale = gradient_scale(a[0].channels[c], a[0].share);
+    const float scale = scales.emplace_back(gradient_scale(a[0].channels[c], a[0].share));
     const float weight = reference.names[c] == "radius" ? static_cast<float>(options.radius_weight) : 1.0f;
     dense.weights.push_back(weight / (scale * scale));
     dense.tolerances.push_back(static_cast<float>(options.tolerance) * scale);
   }
   Plane u, v;
   start_planes(start, reference.width, reference.height, u, v);
+  const Plane first_u = u, first_v = v;
   dense_flow(a, b, dense, u, v);
+  if (options.mismatch > 0) {
+    RecoverLostOptions recover{dense, {}, {}};
+    for (std::size_t c = 0; c < reference.names.size(); ++c) {
+      recover.mismatches.push_back(static_cast<float>(options.mismatch) * scales[c]);
+      recover.tells.push_back(reference.names[c] != "radius");  // a jaw that drops changes its radius
+    }
+    recover_lost(a, b, recover, first_u, first_v, u, v);
+  }
   return field_of(reference, target, u, v);
 }
 

@@ -20,6 +20,7 @@ struct ScanFlowOptions {
   double tolerance = 6;  // in units of the channel's gradient scale; 0 = none
   double bend_px = 0.5;  // 0 = none
   bool search = true;
+  double mismatch = 0;  // in units of the channel's gradient scale; 0 = what is lost stays lost
 };
 
 // Where every pixel of a reference scan is in another: the flow of Bergen and Hingorani (Hierarchical Motion-Based
@@ -36,8 +37,10 @@ struct ScanFlowOptions {
 // what is not measured (the gap between the lips) hardly; residuals are freed of their mean over a window, because a
 // jaw that drops changes its radius and its shading; large motions are found by a search for patches on the coarser
 // levels (patch_search.h); a 5 x 5 median after every step (Sun, Roth and Black, Secrets of Optical Flow Estimation,
-// CVPR 2010). reference and target: same size, same channels. start: displacements to begin with (a rigid motion), may
-// be absent. A pixel of the result is valid where the reference is measured and the target is at the place found.
+// CVPR 2010); with a mismatch, what is lost all the same is looked for again from the target (recover_lost.h); any
+// channel but the radius tells what is lost. reference and target: same size, same channels. start: displacements to
+// begin with (a rigid motion), may be absent. A pixel of the result is valid where the reference is measured and the
+// target is at the place found.
 FlowField scan_flow(const FeatureMap& reference, const FeatureMap& target, const FlowField* start,
                     const ScanFlowOptions& options = {});
 

@@ -31,4 +31,7 @@ NODE("flow.scan", &scan_flow, version{1},
      param("bend_px", &ScanFlowOptions::bend_px, range{0.0, 1000.0}, unit{"px"},
            "Difference between neighbours' displacements at which they are held half; 0 = always fully"),
      param("search", &ScanFlowOptions::search, "Searches for patches on the coarser levels: large motions are found"),
+     param("mismatch", &ScanFlowOptions::mismatch, range{0.0, 1000.0}, unit{"1"},
+           "Difference of grey, in units of its median gradient, that says that a pixel is lost (a lid shuts over the "
+           "eye) and is looked for again; 0 = it stays lost"),
      output("flow", "Displacement of every reference pixel"));

@@ -140,6 +140,7 @@ FlowField scan(const FeatureMap& a, const FeatureMap& b, const FlowField* s) {
     options.fine_warps = 5;
     options.smoothness = 15;
     options.bend_px = 2;
+    options.mismatch = 15;
   }
   return flow::scan_flow(a, b, s, options);
 }
