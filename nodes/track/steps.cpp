@@ -148,7 +148,8 @@ bool Knowledge::is_dot(std::size_t point) const {
 }
 
 Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points,
-            const std::vector<Sighting>& guesses) {
+            const Leap& leapt) {
+  const std::vector<Sighting>& guesses = leapt.places;
   std::vector<Sighting> from;
   for (const Landmark& point : points) {
     from.push_back({point.x_px, point.y_px});
@@ -158,6 +159,9 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
   seen.likeness.assign(points.size(), 0);
   std::vector<Sighting>& to = seen.sightings;
   to = flow.forth(from, guesses, known.sides_px);
+  // A dot that is seen where it was looked for is there.
+  for (std::size_t k = 0; k < to.size(); ++k)
+    if (leapt.found[k]) to[k] = {guesses[k].x_px, guesses[k].y_px, from[k].xx, from[k].xy, from[k].yy};
   // Points that went elsewhere than their neighbours get another try from where these say that they are.
   constexpr int tries = 3;
   for (int i = 0; i < tries; ++i) {
@@ -167,7 +171,7 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
     std::vector<int> again_sides_px;
     for (std::size_t k = 0; k < to.size(); ++k) {
       const double off = std::hypot(to[k].x_px - guess[k].x_px, to[k].y_px - guess[k].y_px);
-      if (!is_seen(from[k]) || (is_seen(to[k]) && off <= 1)) continue;
+      if (!is_seen(from[k]) || (is_seen(to[k]) && (off <= 1 || leapt.found[k]))) continue;
       again.push_back(k);
       again_from.push_back(from[k]);
       again_guess.push_back(guess[k]);
@@ -188,12 +192,12 @@ Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, co
     const double dx = home[k].x_px - from[k].x_px, dy = home[k].y_px - from[k].y_px;
     const double return_error = sure_length_px(from[k], dx, dy);
     const double off = sure_length_px(from[k], to[k].x_px - settled[k].x_px, to[k].y_px - settled[k].y_px);
-    const bool kept =
-        is_seen(home[k]) && return_error <= known.options.max_return_error_px && off <= known.options.max_offset_px;
-    if (kept)
-      seen.return_error_px = std::max(seen.return_error_px, return_error);
-    else
+    const bool kept = leapt.found[k] || (is_seen(home[k]) && return_error <= known.options.max_return_error_px &&
+                                         off <= known.options.max_offset_px);
+    if (!kept)
       forget(to[k]);
+    else if (!leapt.found[k])
+      seen.return_error_px = std::max(seen.return_error_px, return_error);
   }
   return seen;
 }

@@ -46,15 +46,21 @@ struct Seen {
 // The part of a point's first patch that it is looked for with.
 std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index);
 
+// Where points may be before they are followed.
+struct Leap {
+  std::vector<Sighting> places;
+  std::vector<bool> found;  // dots that are seen there, together with others: no neighbour may doubt them
+};
+
 // Where dots painted on the lower lip and the jaw may be, which in speech go farther from one frame to the next than
 // they are apart, and are alike: as far along the fall of the jaw (mouth_shape.h) as most of them are seen. places: in
 // the previous frame; those of other points, and all where nothing is gained, stay.
-std::vector<Sighting> leap(const Knowledge& known, const Grey& now, const Image& patches, std::vector<Sighting> places);
+Leap leap(const Knowledge& known, const Grey& now, const Image& patches, std::vector<Sighting> places);
 
-// Takes the valid points of the previous frame to this one. guesses: where they may be. Points that do not come home
+// Takes the valid points of the previous frame to this one. leapt: where they may be. Points that do not come home
 // when they are followed back, or that leave their neighbours, are not seen.
 Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points,
-            const std::vector<Sighting>& guesses);
+            const Leap& leapt);
 
 // Moves points onto their own patches where these are seen again near them. Fades in, so that a patch that comes and
 // goes does not make the point jump. Rigid points of which the patch is not seen are forgotten.

@@ -25,8 +25,9 @@ struct PhantomClip {
 
 enum class Dots { none, painted };
 
-// The first `count` frames of a sentence, 640 x 480 at 30 per second. painted: a white dot of 3 mm on each point.
-inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots dots) {
+// The first `count` frames of a sentence, 640 x 480 at 30 per second; without those between the first and number
+// `from`. painted: a white dot of 3 mm on each point.
+inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots dots, std::size_t from = 1) {
   using namespace face;
   phantom::MakePersonOptions person_options;
   person_options.spread = 0;
@@ -53,6 +54,7 @@ inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots
   const Image backdrop = phantom::make_backdrop();
   PhantomClip clip;
   for (std::size_t i = 0; i < std::min(count, weights.size()); ++i) {
+    if (i > 0 && i < from) continue;
     const std::string id = std::to_string(i);
     clip.frames.push_back(std::make_shared<const Image>(
         phantom::video_frame(person.person, weights[i], &motion[i], camera, lighting, &painted, &backdrop, &id)));

@@ -2,8 +2,11 @@
 // The phantom's lips against where they are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <string>
 
 #include "tests/nodes/track/grid_clip.h"
 #include "tests/nodes/track/phantom_clip.h"
@@ -52,6 +55,22 @@ TEST(TrackPhantom, DotsThatGoFartherThanTheyAreApartAreFollowed) {
                          100, test::Dots::painted));
   EXPECT_LE(found.rms_px, 0.3);
   EXPECT_LE(found.lost, 0.02);
+}
+
+TEST(TrackPhantom, ALowerLipThatFallsFartherThanTheChinIsFollowed) {
+  // By 18 px to 4: its dots stayed where they were for three frames.
+  std::ifstream file(std::string(FACEGRAPH_SOURCE_DIR) + "/graphs/phantom/ten_minutes.txt");
+  std::string text;
+  for (std::string line; std::getline(file, line) && std::count(text.begin(), text.end(), '\n') < 30;)
+    text += line + "\n";
+  const test::PhantomClip clip = test::film_phantom(text, 2220, test::Dots::painted, 2205);
+  const auto tracked = test::track_frames(clip.frames, clip.truth[0]);
+  for (std::size_t i = 3; i < tracked.size(); ++i)
+    for (const char* name : {"lip_0", "lip_6", "lip_7", "lip_8", "lip_9", "lip_10", "lip_11"}) {
+      const Landmark &p = test::point_of(tracked[i].landmarks, name), &q = test::point_of(clip.truth[i], name);
+      EXPECT_TRUE(p.valid) << name << " in frame " << 2204 + i;
+      EXPECT_LE(std::hypot(p.x_px - q.x_px, p.y_px - q.y_px), 2) << name << " in frame " << 2204 + i;
+    }
 }
 
 TEST(TrackPhantom, PointsThatWentBesideTheirDotsGoBackToThem) {
