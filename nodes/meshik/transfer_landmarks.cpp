@@ -1,14 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/meshik/transfer_landmarks.h"
 
+#include <algorithm>
+
 #include "nodes/base/check.h"
 #include "nodes/meshik/landmark_vertices.h"
 
 namespace face::meshik {
+namespace {
+
+// The vertex as the weights blend it, in front.
+VertexTarget blended(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& weights,
+                     std::uint32_t vertex) {
+  const Vec3f& rest = rig.neutral.points_mm[vertex];
+  VertexTarget target{vertex, static_cast<double>(rest[0]), static_cast<double>(rest[1]), 0, false};
+  for (std::size_t k = 0; k < weights.values.size(); ++k) {
+    const auto key = key_meshes.at(k);
+    check(key->points_mm.size() == rig.neutral.points_mm.size(), "key mesh ", key_meshes.id(k), " has ",
+          key->points_mm.size(), " vertices, expected ", rig.neutral.points_mm.size());
+    const auto weight = static_cast<double>(weights.values[k]);
+    target.x_mm += weight * static_cast<double>(key->points_mm[vertex][0] - rest[0]);
+    target.y_mm += weight * static_cast<double>(key->points_mm[vertex][1] - rest[1]);
+  }
+  return target;
+}
+
+}  // namespace
 
 VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const KeyShapes& key_shapes,
-                                 const Weights& weights) {
+                                 const Weights& weights, const double* contact) {
   check(!key_shapes.shapes.empty(), "there are no key shapes");
+  check(!contact || (*contact >= 0 && *contact <= 1), "contact is ", contact ? *contact : 0, ", expected 0 to 1");
   VertexTargets targets;
   if (weights.values.empty()) return targets;
   check(weights.values.size() == key_meshes.size(), "there are ", weights.values.size(), " weights, expected ",
@@ -16,17 +38,24 @@ VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_me
   const std::size_t vertices = rig.neutral.points_mm.size();
   for (const LandmarkVertex& landmark : landmark_vertices(rig, key_shapes.shapes[0].landmarks)) {
     check(landmark.vertex < vertices, "a landmark is vertex ", landmark.vertex, ", expected one below ", vertices);
-    const Vec3f& rest = rig.neutral.points_mm[landmark.vertex];
-    VertexTarget target{landmark.vertex, static_cast<double>(rest[0]), static_cast<double>(rest[1]), 0, false};
-    for (std::size_t k = 0; k < weights.values.size(); ++k) {
-      const auto key = key_meshes.at(k);
-      check(key->points_mm.size() == vertices, "key mesh ", key_meshes.id(k), " has ", key->points_mm.size(),
-            " vertices, expected ", vertices);
-      const auto weight = static_cast<double>(weights.values[k]);
-      target.x_mm += weight * static_cast<double>(key->points_mm[landmark.vertex][0] - rest[0]);
-      target.y_mm += weight * static_cast<double>(key->points_mm[landmark.vertex][1] - rest[1]);
-    }
-    targets.targets.push_back(target);
+    targets.targets.push_back(blended(rig, key_meshes, weights, landmark.vertex));
+  }
+  if (!contact || *contact == 0) return targets;
+  const auto target_of = [&](std::uint32_t vertex) {
+    check(vertex < vertices, "an inner lip is vertex ", vertex, ", expected one below ", vertices);
+    const auto same = [&](const VertexTarget& target) { return target.vertex == vertex; };
+    const auto at = std::find_if(targets.targets.begin(), targets.targets.end(), same);
+    if (at != targets.targets.end()) return static_cast<std::size_t>(at - targets.targets.begin());
+    targets.targets.push_back(blended(rig, key_meshes, weights, vertex));
+    return targets.targets.size() - 1;
+  };
+  for (const LipPair& pair : rig.inner_lips) {
+    const std::size_t upper = target_of(pair.upper), lower = target_of(pair.lower);
+    const auto at_rest =
+        static_cast<double>(rig.neutral.points_mm[pair.upper][1] - rig.neutral.points_mm[pair.lower][1]);
+    const double open_mm = targets.targets[upper].y_mm - targets.targets[lower].y_mm - at_rest;
+    targets.targets[upper].y_mm -= *contact * open_mm / 2;
+    targets.targets[lower].y_mm += *contact * open_mm / 2;
   }
   return targets;
 }

@@ -12,8 +12,11 @@ namespace face::meshik {
 // Where the mesh's landmark vertices have to be in a frame: the key meshes' own, blended linearly by the frame's
 // weights of the key shapes, and of that x and y alone (Animating Lip-Sync Speech Faces, section 6). Targets of
 // meshik.solve. rig: whose mesh at rest the key meshes are poses of. key_shapes: whose landmarks are used. No weights
-// (the frame was lost) give no targets.
+// (the frame was lost) give no targets. contact: how sure it is that the lips meet in this frame, 0 to 1 (null = 0;
+// track.find_contact). Lips that meet may be thicker than at rest, which a mixture of key shapes takes for an opening:
+// the pairs of Rig::inner_lips, which become targets too, go together by this share of the way, each lip half of it.
+// (The paper's lips, which nothing says that they meet, do not close on P, B and M.)
 VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const KeyShapes& key_shapes,
-                                 const Weights& weights);
+                                 const Weights& weights, const double* contact = nullptr);
 
 }  // namespace face::meshik

@@ -6,42 +6,19 @@
 #include <vector>
 
 #include "nodes/base/check_image.h"
-#include "nodes/base/find_landmark.h"
-#include "nodes/track/face_colours.h"
+#include "nodes/track/lip_line.h"
 
 namespace face::track {
 namespace {
 
-constexpr int samples = 64;                                         // along a line across the mouth
+constexpr int samples = lip_line_samples;
 constexpr double band_from = 0.06, band_to = 0.2;                   // of it, from each end: surely lip
 constexpr double edge = 0.1;                                        // of it, at each end: never the mouth's hollow
-constexpr double strip = 0.05;                                      // half width of what is averaged, of the mouth's
 constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};  // of a lip's colour: light, grain, a film's coding
 constexpr double most_unlike = 8;                                   // a reflex on a tooth is not more than a tooth
 constexpr double most_like = 0.3;  // what is like a lip hardly counts: the tongue is, between teeth and lower lip
 
-using Colour = std::array<double, 3>;
-
-struct Line {
-  const Landmark *upper, *lower;
-};
-
-// Colours from the upper to the lower end, each the mean over a short stretch along the mouth.
-std::vector<Colour> colours_along(const FaceColours& colours, const Line& line, double along_x, double along_y) {
-  std::vector<Colour> out;
-  for (int i = 0; i < samples; ++i) {
-    const double v = (i + 0.5) / samples;
-    const double x = (1 - v) * line.upper->x_px + v * line.lower->x_px;
-    const double y = (1 - v) * line.upper->y_px + v * line.lower->y_px;
-    Colour mean{};
-    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-      const Colour one = colours.at(x + t * strip * along_x, y + t * strip * along_y);
-      for (std::size_t c = 0; c < 3; ++c) mean[c] += one[c] / 5;
-    }
-    out.push_back(mean);
-  }
-  return out;
-}
+using Colour = LipColour;
 
 // Mean and deviation of a lip's colours.
 struct LipLook {
@@ -117,34 +94,21 @@ Gap find_gap(std::vector<Colour> colours, double unlike) {
   return {crossing(best_begin, best_begin - 1), crossing(best_end, best_end + 1)};
 }
 
-const Landmark& point_of(const Landmarks& landmarks, const std::string& name) {
-  const Landmark* point = find_landmark(landmarks, name);
-  check(point != nullptr, "there is no landmark ", name, ": the lips' points are lip_0 to lip_11");
-  return *point;
-}
-
 }  // namespace
 
 Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const InnerLipsOptions& options) {
   check_image(image, "the image");
   for (const Landmark& point : landmarks.points)
     check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
-  const Landmark &right = point_of(landmarks, "lip_0"), &left = point_of(landmarks, "lip_6");
-  const double along_x = left.x_px - right.x_px, along_y = left.y_px - right.y_px;
-  std::vector<Line> lines;
-  Box box;
-  for (int i = 1; i <= 3; ++i) {
-    const Line line{&point_of(landmarks, "lip_" + std::to_string(i + 1)),
-                    &point_of(landmarks, "lip_" + std::to_string(11 - i))};
-    for (const Landmark* end : {line.upper, line.lower}) box.include(end->x_px, end->y_px);
-    lines.push_back(line);
-  }
-  const FaceColours colours(image, box, std::hypot(along_x, along_y) * strip + 2);
+  const MouthWidth width = mouth_width(landmarks);
+  std::vector<LipLine> lines;
+  for (int i = 1; i <= 3; ++i) lines.push_back(lip_line(landmarks, i + 1));
+  const FaceColours colours = colours_about(image, lines, width);
   Landmarks out = landmarks;
   std::vector<Landmark> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Line& line = lines[i];
-    const Gap gap = find_gap(colours_along(colours, line, along_x, along_y), options.unlike);
+    const LipLine& line = lines[i];
+    const Gap gap = find_gap(colours_along(colours, line, width), options.unlike);
     const auto at = [&](double v, std::size_t number) {
       return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
                       (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};

@@ -58,6 +58,9 @@ const Maker hanging_points = changed<face::Landmarks>(speaker_points, [](face::L
   add_jaw(landmarks, 46.8 + 0.3 * variant);
 });
 
+// How sure it is that the lips meet.
+const Maker contact = made([](int variant) { return 0.25 * (variant % 4); });
+
 const Registered meshik({
     .inputs =
         {
@@ -67,6 +70,8 @@ const Registered meshik({
             {"meshik.transfer_landmarks.key_shapes", speaker_keys},
             {"meshik.sculpt_keys.key_shapes", speaker_keys},
             {"meshik.sculpt_keys.neutral", speaker_points},
+            {"meshik.sculpt_keys.contacts", contact},
+            {"meshik.transfer_landmarks.contact", contact},
             {"meshik.solve.start", few_weights},
             {"meshik.reconstruct_matrix.reference", matrices(4, 3)},
             {"meshik.reconstruct_matrix.examples", matrices(4, 12)},

@@ -79,6 +79,12 @@ const Maker uneven_timeline = made([](int variant) {
   return face::Timeline{{0, 0.04, 0.08 + 0.02 * variant, 0.12 + 0.02 * variant}, 0.16 + 0.02 * variant};
 });
 
+// Frames of a mouth of which the second is shut, as far as its variant says, and the third nearly.
+const Maker openings = made([](int variant) {
+  const std::array<double, 4> all = {1.0, 0.3, 0.39, 0.5};
+  return all[static_cast<std::size_t>(variant) % all.size()];
+});
+
 engine::ParamValue names(std::vector<std::string> list) { return list; }
 
 const Registered track({
@@ -97,6 +103,9 @@ const Registered track({
             {"track.chain_flow.from_first", another("flow_field", 2)},
             {"track.inner_lips.image", clip},
             {"track.inner_lips.landmarks", first_points},
+            {"track.mouth_opening.image", clip},
+            {"track.mouth_opening.landmarks", scattered(first_points, 2)},
+            {"track.find_contact.openings", openings},
             {"track.report.landmarks", losing_points(speaker_points)},
             {"track.report.state", states},
             {"track.report.timeline", uneven_timeline},

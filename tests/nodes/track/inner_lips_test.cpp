@@ -4,50 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "tests/nodes/track/drawn_mouth.h"
 #include "tests/nodes/track/grid_clip.h"
 #include "tests/nodes/track/phantom_clip.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
 
 using namespace face;
+using Mouth = test::DrawnMouth;
 
 namespace {
-
-using Colour = std::array<std::uint8_t, 3>;
-constexpr Colour skin{200, 150, 120}, upper_lip{150, 75, 70}, lower_lip{180, 95, 90}, hollow{40, 15, 12},
-    tooth{215, 205, 175};
-
-// A mouth from (20, 40) to (100, 40), each lip an ellipse's half of height 16, parted by a gap of a straight edge above
-// and below the middle, in pixels.
-struct Mouth {
-  double above = 0, below = 0;
-  Colour inside = hollow;
-  Image image() const {
-    Image image{120, 80, 3, {}};
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) {
-        const double u = (x - 60) / 40.0, height = (16 + std::max(above, below)) * std::sqrt(std::max(0.0, 1 - u * u));
-        const double v = y - 40;
-        Colour colour = skin;
-        if (std::abs(v) < height) colour = v < 0 ? upper_lip : lower_lip;
-        if (std::abs(v) < height && v > -above && v < below) colour = inside;
-        image.pixels.insert(image.pixels.end(), colour.begin(), colour.end());
-      }
-    return image;
-  }
-  Landmarks outer() const {
-    Landmarks out;
-    for (int i = 0; i < 12; ++i) {
-      const double angle = i * std::acos(-1.0) / 6;
-      out.points.push_back({"lip_" + std::to_string(i), 60 - 40 * std::cos(angle),
-                            40 - (16 + std::max(above, below)) * std::sin(angle), true});
-    }
-    return out;
-  }
-};
 
 double gap_px(const Landmarks& points, int column) {
   return test::point_of(points, "inner_lip_" + std::to_string(8 - column)).y_px -
@@ -67,7 +35,7 @@ TEST(InnerLips, AHollowIsFoundWhereItBeginsAndEnds) {
 }
 
 TEST(InnerLips, TeethAreNoLips) {
-  const Mouth mouth{6, 4, tooth};
+  const Mouth mouth{6, 4, test::tooth};
   const Landmarks found = track::inner_lips(mouth.image(), mouth.outer());
   EXPECT_NEAR(gap_px(found, 2), 10, 1.5);
 }

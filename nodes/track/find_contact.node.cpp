@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/find_contact.h"
+
+#include "engine/node.h"
+using namespace engine::declare;
+using namespace face::track;
+
+NODE("track.find_contact", &find_contact, version{1}, doc{"Tells the frames in which the lips meet from the others."},
+     input{"openings", "track.mouth_opening of every frame of a clip in which the lips meet somewhere"},
+     param("shut_share", &FindContactOptions::shut_share, range{0, 1}, unit{"1"},
+           "So many of the frames at least show lips that meet"),
+     param("shut_ratio", &FindContactOptions::shut_ratio, range{1, 10}, unit{"1"},
+           "Openings up to so many times theirs are shut"),
+     param("open_ratio", &FindContactOptions::open_ratio, range{1, 10}, unit{"1"},
+           "Openings from so many times theirs on are open"),
+     output("contacts",
+            "Of every frame: 1 where the lips meet, 0 where they do not, between them where it is doubtful"));

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nodes/track/mouth_opening.h"
+
+#include "engine/node.h"
+using namespace engine::declare;
+using namespace face::track;
+
+NODE("track.mouth_opening", &mouth_opening, version{1},
+     doc{"How much between the outer edges of the lips is unlike lips: teeth, tongue, hollow."},
+     input{"image", "A frame"}, input{"landmarks", "Its points, lip_0 to lip_11 among them"},
+     output("opening", "Size of it, in widths of the mouth times deviations of colour; -1 where it is not seen"));
