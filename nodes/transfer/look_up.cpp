@@ -18,6 +18,8 @@ namespace {
 // A vertex unrolled about the axis: along the turn (at 80 mm from the axis, so that all three are lengths), height,
 // radius.
 using Unrolled = std::array<double, 3>;
+constexpr std::uint8_t on_skin = 2;
+constexpr double brow_mm = 3;  // brows lie less far before the skin, and are what is seen
 constexpr double unroll_mm = 80, cell_mm = 4, farthest_mm = 10000;
 // Less than the head's own margin: near a corner a vertex that is not quite sure still keeps off what surely is the
 // other lip.
@@ -128,15 +130,21 @@ SurfaceMap look_up(const MorphableModel& model, const MeshPoints& fitted, const 
 
   const std::vector<Unrolled> head = unrolled(axis, fitted, "fitted"), own = unrolled(axis, shape, "shape");
   const render::Triangulation all = render::triangulate(model.mean, false);
-  const std::vector<std::uint8_t> skin = skin_polygons(model.mean, model.landmarks68);
+  std::vector<std::uint8_t> outside = skin_polygons(model.mean, model.landmarks68);
+  for (const Part& part : model.mean.parts)
+    if (part.name.starts_with("sclera") || part.name.starts_with("iris") || part.name == "brows")
+      std::fill_n(outside.begin() + part.first_polygon, part.polygon_count,
+                  part.name == "brows" ? on_skin : std::uint8_t{1});
   // Triangles that face outwards: counter-clockwise in the unrolled picture.
   std::vector<render::Triangle> triangles;
   std::vector<std::int32_t> numbers;
+  std::vector<std::uint8_t> hides;  // the skin below it
   for (std::size_t t = 0; t < all.triangles.size(); ++t) {
     const render::Triangle& c = all.triangles[t];
-    if (!skin[all.polygons[t]] || !(cross2(head[c[0]], head[c[1]], head[c[2]]) > 0)) continue;
+    if (!outside[all.polygons[t]] || !(cross2(head[c[0]], head[c[1]], head[c[2]]) > 0)) continue;
     triangles.push_back(c);
     numbers.push_back(static_cast<std::int32_t>(t));
+    hides.push_back(outside[all.polygons[t]] == on_skin);
   }
   const Cells cells(head, triangles);
   const auto allowed = [&](const render::Triangle& t, LipSide side) {
@@ -161,7 +169,7 @@ SurfaceMap look_up(const MorphableModel& model, const MeshPoints& fitted, const 
       const double beside = std::hypot(at[0] - own[i][0], at[1] - own[i][1]), before = std::fabs(at[2] - own[i][2]);
       if (beside > options.reach_mm || before > options.depth_mm) return;
       // What covers the place goes before what lies beside it.
-      const double cost = before + 10 * beside;
+      const double cost = before + 10 * beside - (hides[t] ? brow_mm : 0);
       if (cost >= least) return;
       least = cost;
       places.triangle[i] = numbers[t];

@@ -147,8 +147,8 @@ ResampleScanResult resample_scan(const SurfaceMap& places, const Rig& head, cons
   check_cylinder(scan, "scan");
   const std::vector<render::Triangle> triangles = render::triangulate(head.neutral, false).triangles;
   const RigidMotion model_from_scan = scan_from_model ? inverse(*scan_from_model) : RigidMotion{};
-  std::vector<std::uint8_t> known(mesh.points_mm.size(), 0);
-  std::vector<Vec3f> points(known.size()), colours(known.size());
+  std::vector<std::uint8_t> known(mesh.points_mm.size(), 0), coloured = known;
+  std::vector<Vec3f> points(known.size()), colours(known.size(), Vec3f{0.5f, 0.5f, 0.5f});
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (places.triangle[v] < 0) continue;
     const Vec3f p =
@@ -158,10 +158,12 @@ ResampleScanResult resample_scan(const SurfaceMap& places, const Rig& head, cons
     const bool seen = surface && std::fabs(surface->radius_mm - place.radius_mm) <= scan_depth_mm;
     known[v] = 1;
     points[v] = moved(world_from_model, moved(&model_from_scan, seen ? surface->point_mm : p));
-    colours[v] = surface ? surface->color_srgb : Vec3f{0.5f, 0.5f, 0.5f};
+    if (!seen) continue;
+    coloured[v] = 1;
+    colours[v] = surface->color_srgb;
   }
   ResampleScanResult result{finished(mesh, shape, known, std::move(points)), mesh};
-  spread_known(neighbours_of(mesh), known, colours);
+  spread_known(neighbours_of(mesh), coloured, colours);
   result.mesh.points_mm = result.shape.points_mm;
   result.mesh.colors_srgb = std::move(colours);
   return result;

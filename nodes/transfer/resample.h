@@ -30,8 +30,8 @@ struct ResampleScanResult {
 // resample from a laser scan of a new person: fitted is the identity model in the scan's world (fit_identity on the
 // scan); every vertex looks radius and colour up in the scan at the fitted model's height and angle, so that the scan's
 // own shape is taken and the model gives the correspondence alone. Where the scan has nothing, or more than 10 mm
-// before or behind it, the model's point counts. head: whose mesh the model's is. scan_from_model, world_from_model:
-// motions of the two fits, the scan's and the speaking model's; null = none.
+// before or behind it, the model's point counts, in the colour of the vertices about it. head: whose mesh the model's
+// is. scan_from_model, world_from_model: motions of the two fits, the scan's and the speaking model's; null = none.
 ResampleScanResult resample_scan(const SurfaceMap& places, const Rig& head, const MeshPoints& fitted,
                                  const CylinderScan& scan, const RigidMotion* scan_from_model,
                                  const RigidMotion* world_from_model, const Mesh& mesh, const MeshPoints& shape);

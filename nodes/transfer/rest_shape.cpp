@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/transfer/rest_shape.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 #include "nodes/base/check.h"
@@ -9,12 +12,29 @@
 namespace face::transfer {
 namespace {
 
-std::vector<std::size_t> frames_within(const Timeline& timeline, const Phones& phones, const std::string& label,
-                                       double margin_s) {
+// "P B M, SIL" as {{"P", "B", "M"}, {"SIL"}}.
+std::vector<std::vector<std::string>> choices_of(const std::string& text) {
+  std::vector<std::vector<std::string>> choices;
+  std::istringstream all(text);
+  for (std::string part; std::getline(all, part, ',');) {
+    std::istringstream labels(part);
+    choices.emplace_back(std::istream_iterator<std::string>(labels), std::istream_iterator<std::string>());
+  }
+  return choices;
+}
+
+// A stop's label stands for its closure, too.
+bool counts(const std::vector<std::string>& labels, const std::string& label) {
+  return std::any_of(labels.begin(), labels.end(),
+                     [&](const std::string& l) { return label == l || label == l + ".c"; });
+}
+
+std::vector<std::size_t> frames_within(const Timeline& timeline, const Phones& phones,
+                                       const std::vector<std::string>& labels, double margin_s) {
   std::vector<std::size_t> frames;
   for (std::size_t t = 0; t < timeline.time_s.size(); ++t)
     for (const Phone& phone : phones.phones)
-      if (phone.label == label && timeline.time_s[t] >= phone.start_s + margin_s &&
+      if (counts(labels, phone.label) && timeline.time_s[t] >= phone.start_s + margin_s &&
           timeline.time_s[t] < phone.end_s - margin_s) {
         frames.push_back(t);
         break;
@@ -30,13 +50,13 @@ MeshPoints rest_shape(const engine::Seq<MeshPoints>& shapes, const Timeline& tim
         timeline.time_s.size());
   check(!known || known->size() == shapes.size(), "shapes has ", shapes.size(), " frames, known ",
         known ? known->size() : 0);
-  const auto usable = [&](double margin_s) {
-    std::vector<std::size_t> frames = frames_within(timeline, phones, options.label, margin_s);
-    std::erase_if(frames, [&](std::size_t t) { return known && !*known->at(t); });
-    return frames;
-  };
-  std::vector<std::size_t> frames = usable(options.margin_s);
-  if (frames.empty()) frames = usable(0);
+  std::vector<std::size_t> frames;
+  for (const std::vector<std::string>& labels : choices_of(options.label))
+    for (const double margin_s : {options.margin_s, 0.0}) {
+      if (!frames.empty()) break;
+      frames = frames_within(timeline, phones, labels, margin_s);
+      std::erase_if(frames, [&](std::size_t t) { return known && !*known->at(t); });
+    }
   check(!frames.empty(), "no frame lies within a segment of \"", options.label, "\" of ", phones.phones.size(),
         " segments");
   std::vector<std::array<double, 3>> sum;

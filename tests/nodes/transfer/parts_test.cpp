@@ -253,6 +253,24 @@ TEST(ResampleScan, TakesTheScansOwnShape) {
   EXPECT_NEAR(result.mesh.colors_srgb[5][0], 100 / 255.0, 1e-4);
 }
 
+TEST(ResampleScan, ColoursAHoleOfTheScanAsWhatIsAboutIt) {
+  const Mesh mesh = sheet(0);
+  CylinderScan scan;
+  scan.picture = {512, 200, 3, std::vector<std::uint8_t>(512 * 200 * 3, 60)};
+  scan.radius_mm.assign(512 * 200, 90);
+  scan.top_mm = 60;
+  const SurfaceMap places = look_up(model_of(mesh), {mesh.points_mm}, mesh, {mesh.points_mm}, {});
+  const auto colours = [&] {
+    return resample_scan(places, rig_of(mesh), {mesh.points_mm}, scan, nullptr, nullptr, mesh, {mesh.points_mm})
+        .mesh.colors_srgb;
+  };
+  for (std::size_t y = 80; y < 110; ++y)
+    for (std::size_t x = 240; x < 280; ++x) scan.radius_mm[y * 512 + x] = 0;
+  for (const Vec3f& c : colours()) EXPECT_NEAR(c[0], 60 / 255.0, 1e-4);
+  scan.radius_mm.assign(512 * 200, 0);
+  EXPECT_EQ(colours()[5], (Vec3f{0.5f, 0.5f, 0.5f}));  // nothing is known
+}
+
 TEST(ScanPlaces, ReadsTheTruthAtEveryVertexPixel) {
   const Mesh mesh = sheet(0);
   SurfaceMap truth{columns, rows, {}, {}};
@@ -283,6 +301,28 @@ TEST(RestShape, IsTheMeanOfSilence) {
   EXPECT_NEAR(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, &known).points_mm[0][0], 2.5, 1e-6);
   EXPECT_THROW_TEXT(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, nullptr, {.label = "ZH"}),
                     "no frame lies within a segment of \"ZH\" of 2 segments");
+}
+
+TEST(RestShape, IsTheMeanOfClosuresOrOfSilenceWhereThereAreNone) {
+  std::vector<MeshPoints> shapes;
+  Timeline timeline;
+  for (int t = 0; t < 10; ++t) {
+    shapes.push_back({{{static_cast<float>(t), 0, 0}}});
+    timeline.time_s.push_back(0.1 * t);
+  }
+  timeline.duration_s = 1;
+  const auto rest = [&](const Phones& phones) {
+    return rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, nullptr,
+                      {.label = "P B M, SIL", .margin_s = 0.03})
+        .points_mm[0][0];
+  };
+  const Phones speech{
+      {{"SIL", 0, 0.25, "", 0}, {"P.c", 0.25, 0.45, "p", 0}, {"P.r", 0.45, 0.65, "p", 0}, {"M", 0.65, 1, "m", 0}},
+      1,
+      true};
+  EXPECT_NEAR(rest(speech), (3 + 4 + 7 + 8 + 9) / 5.0, 1e-6);
+  EXPECT_NEAR(rest({{{"SIL", 0, 0.25, "", 0}, {"P.r", 0.25, 0.6, "p", 0}, {"AA", 0.6, 1, "a", 0}}, 1, true}), 1.5,
+              1e-6);
 }
 
 TEST(MoveModel, KeepsDisplacementsAndChangesTheFace) {

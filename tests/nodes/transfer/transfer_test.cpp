@@ -87,6 +87,29 @@ TEST(Transfer, CarriesTheEmbeddedHeadsSpeakerToOtherHeads) {
   }
 }
 
+// Otherwise other heads have lids where eyes should be, and no brows.
+TEST(Transfer, FindsEyesOnEyesAndBrowsOnBrows) {
+  const Rig rig = phantom::make_head({.with_hair = false});
+  const ShapeSet modes = phantom::identity_modes({.with_hair = false});
+  const MorphableModel model =
+      face::model::from_rig(rig, &modes, {.expressions = 1, .albedos = 0, .samples = 2, .skins = 0});
+  const test::Speaker speaker(rig, modes, 1, 0);
+  const Found found = find(speaker, model);
+  const auto all = render::triangulate(rig.neutral, false);
+  const auto is = [&](std::int32_t triangle, std::string_view word) {
+    return triangle >= 0 && rig.neutral.parts[all.parts[static_cast<std::size_t>(triangle)]].name.starts_with(word);
+  };
+  for (const char* part : {"sclera", "iris", "brows"}) {
+    double there = 0, same = 0;
+    for (std::size_t v = 0; v < found.places.triangle.size(); ++v) {
+      there += is(speaker.places.triangle[v], part);
+      same += is(speaker.places.triangle[v], part) && is(found.places.triangle[v], part);
+    }
+    EXPECT_GT(there, 30) << part;
+    EXPECT_GT(same, 0.8 * there) << part;
+  }
+}
+
 TEST(Transfer, CarriesAnIctSpeakerToTenOtherHeads) {
   DATA_FILE(path, "ict-face/FaceXModel");
   const engine::File folder = folder_at(path);
