@@ -17,6 +17,14 @@ constexpr double most_shift_px = 2;  // of a cloud's points, beside their pixels
 
 std::string leaf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
+// As the recording's owner knows it: depth/TAKE/17.png.
+std::string place(const std::string& path) {
+  std::size_t start = path.size();
+  for (int parts = 0; parts < 3 && start != std::string::npos && start > 0; ++parts)
+    start = path.find_last_of('/', start - 1);
+  return start == std::string::npos ? path : path.substr(start + (start < path.size() && path[start] == '/' ? 1 : 0));
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -31,7 +39,7 @@ void check_size(const std::string& what, int width, int height, int expected_wid
 
 // Depth, size and, where they have them, colours of a frame's cloud.
 void take_cloud(const FramePaths& paths, const ScanCameraFile& camera, DepthScan& scan) {
-  const std::string title = leaf(paths.cloud);
+  const std::string title = place(paths.cloud);
   const Cloud cloud = read_cloud(read_bytes_at(paths.cloud, title), title);
   int width = cloud.width > 0 ? cloud.width : camera.width_px,
       height = cloud.height > 0 ? cloud.height : camera.height_px;
@@ -68,8 +76,8 @@ void take_cloud(const FramePaths& paths, const ScanCameraFile& camera, DepthScan
 
 // Whether it is in whole numbers.
 bool take_depth(const FramePaths& paths, const ScanCameraFile& camera, DepthScan& scan) {
-  const DepthImage depth = read_depth_image(paths.depth, leaf(paths.depth));
-  check(!depth.whole_numbers || depth.bits == 16, leaf(paths.depth), " has ", depth.bits,
+  const DepthImage depth = read_depth_image(paths.depth, place(paths.depth));
+  check(!depth.whole_numbers || depth.bits == 16, place(paths.depth), " has ", depth.bits,
         " bits per pixel, expected 16 bits or an EXR: 256 steps are too few for depth");
   scan.picture = {depth.width, depth.height, 1, {}};
   const double unit_mm = depth.whole_numbers ? camera.depth_unit_mm : camera.length_unit_mm;
@@ -117,13 +125,13 @@ DepthFrame read_depth_frame(const FramePaths& paths, const ScanCameraFile& camer
     check_size(paths.cloud.empty() ? "its depth " + leaf(paths.depth) : "its cloud " + leaf(paths.cloud), width, height,
                camera.width_px, camera.height_px);
   if (!paths.picture.empty()) {
-    Image picture = read_picture(paths.picture, leaf(paths.picture));
+    Image picture = read_picture(paths.picture, place(paths.picture));
     check_size("its picture " + leaf(paths.picture), picture.width, picture.height, width, height);
     scan.picture = std::move(picture);
   }
   check(!scan.picture.pixels.empty(), "it has no picture");
   if (!paths.mask.empty()) {
-    const DepthImage mask = read_depth_image(paths.mask, leaf(paths.mask));
+    const DepthImage mask = read_mask(paths.mask, place(paths.mask));
     check_size("its mask " + leaf(paths.mask), mask.width, mask.height, width, height);
     bool any = false;
     for (std::size_t i = 0; i < mask.values.size(); ++i) {

@@ -20,6 +20,9 @@ struct DepthImage {
 // Throws where it cannot be read or has colours of whole numbers.
 DepthImage read_depth_image(const std::string& path, const std::string& title);
 
+// The same of a mask, which may also be a colour picture: of every pixel the brightest channel, 8 bits.
+DepthImage read_mask(const std::string& path, const std::string& title);
+
 // Reads a picture as 8-bit sRGB: grey stays grey, all else becomes RGB.
 Image read_picture(const std::string& path, const std::string& title);
 

@@ -60,12 +60,17 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
 }
 
 // Says what a median depth of the wrong size would be in another unit.
-std::string depth_trouble(double depth_mm, const char* key, const DepthTakeOptions& options) {
+std::string depth_trouble(double depth_mm, bool whole_numbers, const ScanCameraFile& camera,
+                          const DepthTakeOptions& options) {
+  const char* key = whole_numbers ? "depth_unit_mm" : "length_unit";
+  const bool says = whole_numbers ? camera.says_depth_unit : camera.says_length_unit;
   std::string text =
       message("its median depth is ", depth_mm, " mm, expected ", options.near_mm, " to ", options.far_mm);
   for (const double factor : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0})
     if (depth_mm * factor >= options.near_mm && depth_mm * factor <= options.far_mm)
-      return text + message(": is the unit of depth ", factor, " times what ", key, " in camera.json says?");
+      return text + (says ? message(": is the unit of depth ", factor, " times what ", key, " in camera.json says?")
+                          : message(": is the unit of depth ", factor, " mm? camera.json has no ", key,
+                                    ", so that 1 mm is taken"));
   return text;
 }
 
@@ -106,6 +111,8 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
   std::vector<std::string> troubles;
   std::vector<Frame> frames = frames_of(folder, take, troubles);
   check(!frames.empty(), title_of(folder), ": has no files of take ", take, " below depth or cloud");
+  if (!camera.says_rate)
+    troubles.push_back(message("camera.json has no rate_hz: ", camera.rate_hz, " frames per second are taken"));
 
   // Twice through: what is a face's size and distance in this take is known only at its end, and scans are not all
   // held.
@@ -129,8 +136,7 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
     frame.width = found->scan.picture.width;
     frame.height = found->scan.picture.height;
     if (found->median_depth_mm < options.near_mm || found->median_depth_mm > options.far_mm) {
-      frame.trouble =
-          depth_trouble(found->median_depth_mm, found->whole_numbers ? "depth_unit_mm" : "length_unit", options);
+      frame.trouble = depth_trouble(found->median_depth_mm, found->whole_numbers, camera, options);
     } else if (found->width_mm < options.least_width_mm || found->width_mm > options.most_width_mm) {
       frame.trouble =
           message("what is measured is ", std::lround(found->width_mm), " mm wide, expected ", options.least_width_mm,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/scan_camera_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/decode/input_file.h"
@@ -44,6 +48,33 @@ double length_unit_of(const Json& json, const std::string& title) {
   fail(title, " at /length_unit: found ", describe_json(json["length_unit"]), R"(, expected "mm", "cm" or "m")");
 }
 
+// Letters to put in, take out or change (Levenshtein, Binary Codes Capable of Correcting Deletions, Insertions, and
+// Reversals, 1966).
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t corner = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = corner + (a[i - 1] == b[j - 1] ? 0 : 1);
+      corner = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
+    }
+  }
+  return row[b.size()];
+}
+
+// A key that is one or two letters beside one that counts would be left out without a word.
+void check_keys(const Json& json, const std::string& title) {
+  constexpr std::array<std::string_view, 8> keys = {"depth_unit_mm", "length_unit", "rate_hz",     "mask_value",
+                                                    "width",         "height",      "position_mm", "cam_from_world"};
+  for (const auto& [name, value] : json.items())
+    for (const std::string_view key : keys)
+      if (name != key && !json.contains(std::string(key)) && letters_apart(name, key) <= 2)
+        fail(title, " at /", name, ": no such key, expected \"", key, "\"");
+}
+
 void check_view(double focal_px, double centre_px, int size_px, const char* along, const std::string& title) {
   if (size_px == 0) return;
   const double view_deg = 2 * std::atan(0.5 * size_px / focal_px) * 180 / std::numbers::pi;
@@ -82,6 +113,10 @@ ScanCameraFile read_scan_camera(const engine::File& file) {
     fail(title,
          " at /depth_scale: some programs mean metres per unit by it and some units per metre; expected "
          "\"depth_unit_mm\", the mm of one unit");
+  check_keys(json, title);
+  out.says_depth_unit = json.contains("depth_unit_mm");
+  out.says_length_unit = json.contains("length_unit");
+  out.says_rate = json.contains("rate_hz");
   out.depth_unit_mm = positive_of(json, "depth_unit_mm", 1, title);
   out.length_unit_mm = length_unit_of(json, title);
   out.rate_hz = positive_of(json, "rate_hz", 40, title);

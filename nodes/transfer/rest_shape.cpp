@@ -57,8 +57,8 @@ MeshPoints rest_shape(const engine::Seq<MeshPoints>& shapes, const Timeline& tim
       frames = frames_within(timeline, phones, labels, margin_s);
       std::erase_if(frames, [&](std::size_t t) { return known && !*known->at(t); });
     }
-  check(!frames.empty(), "no frame lies within a segment of \"", options.label, "\" of ", phones.phones.size(),
-        " segments");
+  check(!frames.empty(), "no ", known ? "known " : "", "frame lies within a segment of \"", options.label, "\" of ",
+        phones.phones.size(), " segments");
   std::vector<std::array<double, 3>> sum;
   for (const std::size_t t : frames) {
     const auto shape = shapes.at(t);

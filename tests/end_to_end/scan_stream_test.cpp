@@ -73,7 +73,7 @@ TEST_F(ScanStream, NamesWhatIsWrongAndKeepsTheRest) {
   ASSERT_EQ(ended.code, 0) << ended.output;
   EXPECT_EQ(names("out/depth/1").size(), count - 3);
   for (const char* text :
-       {"take 1, frame 3: 3.png", "take 1, frame 7 is missing", "take 1, frame 9: it has no picture"}) {
+       {"take 1, frame 3: depth/1/3.png", "take 1, frame 7 is missing", "take 1, frame 9: it has no picture"}) {
     EXPECT_NE(ended.output.find(text), std::string::npos) << text << "\n" << ended.output;
     EXPECT_NE(read("out/report/1.txt").find(text), std::string::npos) << text;
   }

@@ -222,7 +222,7 @@ TEST(DepthTake, NamesFramesThatAreWrongAndKeepsTheRest) {
             "take a, frame 4: it shows no face: 48 pixels are measured, the take's median is 1004; left out");
   EXPECT_EQ(stream.heard.texts[4],
             "take a, frame 5: it shows no face: its median depth is 1400 mm, the take's 844; left out");
-  EXPECT_EQ(stream.heard.texts[5].substr(0, 23), "take a, frame 6: 6.pgm ");
+  EXPECT_EQ(stream.heard.texts[5].substr(0, 31), "take a, frame 6: depth/a/6.pgm ");
   EXPECT_EQ(stream.heard.texts[6], "take a, frame 7: its picture 7.pgm is 20 x 20 pixels, expected 64 x 48; left out");
   EXPECT_EQ(stream.heard.texts[7], "take a, frames 9 to 11 are missing");
   EXPECT_EQ(std::count(result.report.begin(), result.report.end(), '\n'), 8);
@@ -237,10 +237,12 @@ TEST(DepthTake, NamesFramesOfAnotherSizeAndDepthOfEightBits) {
   const DepthTakeResult result = stream.read();
   EXPECT_EQ(stream.ids, (std::vector<std::string>{"1", "3"}));
   EXPECT_EQ(result.dropped, 2);
-  ASSERT_EQ(stream.heard.texts.size(), 2u);
-  EXPECT_EQ(stream.heard.texts[0], "take a, frame 2: it is 56 x 48 pixels, expected 64 x 48 as the others; left out");
-  EXPECT_EQ(stream.heard.texts[1],
-            "take a, frame 4: 4.pgm has 8 bits per pixel, expected 16 bits or an EXR: 256 steps are too few for depth; "
+  ASSERT_EQ(stream.heard.texts.size(), 3u);
+  EXPECT_EQ(stream.heard.texts[0], "take a, camera.json has no rate_hz: 40 frames per second are taken");
+  EXPECT_EQ(stream.heard.texts[1], "take a, frame 2: it is 56 x 48 pixels, expected 64 x 48 as the others; left out");
+  EXPECT_EQ(stream.heard.texts[2],
+            "take a, frame 4: depth/a/4.pgm has 8 bits per pixel, expected 16 bits or an EXR: 256 steps are too few "
+            "for depth; "
             "left out");
 }
 
@@ -259,10 +261,45 @@ TEST(DepthTake, NamesWrongIntrinsics) {
   }
   Stream cloud;
   cloud.write("cloud/a/0.xyz", xyz);
-  EXPECT_EQ(
-      message_of([&] { cloud.read(); }),
-      "take a: none of its 1 frames is left; frame 0: the intrinsics bring the points of 0.xyz 4.2 px beside their "
-      "pixels (median), expected at most 2: fx, fy, cx and cy are not those of this camera");
+  EXPECT_EQ(message_of([&] { cloud.read(); }),
+            "take a: none of its 1 frames is left; frame 0: the intrinsics bring the points of cloud/a/0.xyz 4.2 px "
+            "beside their "
+            "pixels (median), expected at most 2: fx, fy, cx and cy are not those of this camera");
+}
+
+TEST(DepthTake, SaysWhichFileOfAFrameIsEmptyOrBroken) {
+  Stream stream;
+  for (const int n : {1, 2, 3}) stream.frame(n);
+  stream.write("picture/a/2.pgm", "");
+  stream.write("mask/a/3.pgm", "P5 nonsense");
+  stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"1"}));
+  ASSERT_EQ(stream.heard.texts.size(), 2u);
+  EXPECT_EQ(stream.heard.texts[0], "take a, frame 2: picture/a/2.pgm: is empty, expected a picture; left out");
+  EXPECT_EQ(stream.heard.texts[1].substr(0, 30), "take a, frame 3: mask/a/3.pgm ");
+}
+
+TEST(DepthTake, ReadsAMaskThatIsAColourPicture) {
+  Stream stream;
+  stream.frame(1);
+  const std::vector<float> whole = (stream.read(), stream.scans[0].depth_mm);
+  std::string mask = "P6 64 48 255\n";
+  for (int i = 0; i < width * height; ++i) mask += i % width < 32 ? std::string(3, '\0') : std::string("\0\xff\0", 3);
+  stream.write("mask/a/1.ppm", mask);
+  stream.read();
+  ASSERT_EQ(stream.scans.size(), 1u);
+  for (int i = 0; i < width * height; ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    EXPECT_EQ(stream.scans[0].depth_mm[p], i % width < 32 ? 0 : whole[p]);
+  }
+}
+
+TEST(DepthTake, SaysThatAUnitIsNotGiven) {
+  Stream stream(R"({"fx": 200, "cx": 31.5, "cy": 23.5, "rate_hz": 40})");
+  stream.frame(0);
+  EXPECT_EQ(message_of([&] { stream.read(); }),
+            "take a: none of its 1 frames is left; frame 0: its median depth is 8442 mm, expected 150 to 4000: is the "
+            "unit of depth 0.1 mm? camera.json has no depth_unit_mm, so that 1 mm is taken");
 }
 
 TEST(DepthTake, RejectsACameraFileThatCannotBe) {
@@ -272,6 +309,8 @@ TEST(DepthTake, RejectsACameraFileThatCannotBe) {
     return message_of([&] { stream.read(); });
   };
   EXPECT_EQ(message(R"({"cx": 1, "cy": 1})"), R"(camera.json: found {"cx":1,"cy":1}, expected an object with "fx")");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "depth_units_mm": 0.1, "serial": 3})"),
+            "camera.json at /depth_units_mm: no such key, expected \"depth_unit_mm\"");
   EXPECT_EQ(message(R"({"fx": -3, "cx": 1, "cy": 1})"),
             "camera.json: fx is -3 and fy -3 px, expected both more than 0");
   EXPECT_EQ(

@@ -301,6 +301,9 @@ TEST(RestShape, IsTheMeanOfSilence) {
   EXPECT_NEAR(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, &known).points_mm[0][0], 2.5, 1e-6);
   EXPECT_THROW_TEXT(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, nullptr, {.label = "ZH"}),
                     "no frame lies within a segment of \"ZH\" of 2 segments");
+  const engine::Seq<bool> none(std::vector<bool>(10, false));
+  EXPECT_THROW_TEXT(rest_shape(engine::Seq<MeshPoints>(shapes), timeline, phones, &none),
+                    "no known frame lies within a segment of \"SIL\" of 2 segments");
 }
 
 TEST(RestShape, IsTheMeanOfClosuresOrOfSilenceWhereThereAreNone) {
