@@ -215,6 +215,11 @@ TEST(Orient, LeavesAScanWithTooFewMarkersWhereItIs) {
                              "the head's motion is not known: of 2 markers that the jaw does not move 2 are measured, "
                              "and no three of them agree with the reference; left out"}));
   EXPECT_EQ(result.aligned.camera.position_mm, frame.scan.camera.position_mm);
+  heard.texts.clear();
+  EXPECT_FALSE(orient(frame.scan, {}, frame.scan, {}, {}, heard).solved);
+  EXPECT_EQ(heard.texts,
+            (std::vector<std::string>{"the head's motion is not known: the reference has no markers, expected painted "
+                                      "dots of about the radius that align.find_markers is told; left out"}));
 }
 
 TEST(FitAxis, FindsTheAxisOfACylinder) {
