@@ -2,18 +2,23 @@
 #include "nodes/track/track_klt.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/jaw_line.h"
+#include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
+#include "nodes/track/shrink.h"
 #include "nodes/track/steps.h"
 
 namespace face::track {
 namespace {
 
-void check_inputs(const engine::Window<Image>& frames, const Landmarks& start,
+void check_inputs(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
                   const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
   const Image& frame = frames.centre();
   for (std::size_t i = 0; i < frames.size(); ++i) check_image(frames[i], "a frame");
@@ -22,6 +27,14 @@ void check_inputs(const engine::Window<Image>& frames, const Landmarks& start,
     if (!is_inside(point.x_px, point.y_px, frame.width, frame.height))
       fail("start point ", point.name, " is at (", point.x_px, ", ", point.y_px, "), outside the frame of ",
            frame.width, " x ", frame.height, " pixels");
+  for (std::size_t i = 0; correction && i < correction->points.size(); ++i) {
+    const Landmark& fixed = correction->points[i];
+    check(landmark_index(start, fixed.name) < start.points.size(), "a correction names the point ", fixed.name,
+          ", which start does not have; it has ", landmark_names(start));
+    if (!is_inside(fixed.x_px, fixed.y_px, frame.width, frame.height))
+      fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ",
+           frame.width, " x ", frame.height, " pixels");
+  }
   if (!prior) return;
   check(frames.centre_index() > 0, "frames has no previous frame although there is a previous result");
   const Image& previous = frames[frames.centre_index() - 1];
@@ -121,11 +134,6 @@ void put_right(const Knowledge& known, const Landmarks& correction, const Grey& 
   const auto& points = result.followed.points;
   for (const Landmark& fixed : correction.points) {
     const std::size_t index = landmark_index(result.followed, fixed.name);
-    check(index < points.size(), "a correction names the point ", fixed.name, ", which start does not have; it has ",
-          landmark_names(result.followed));
-    if (!is_inside(fixed.x_px, fixed.y_px, now.width, now.height))
-      fail("the correction of ", fixed.name, " is at (", fixed.x_px, ", ", fixed.y_px, "), outside the frame of ",
-           now.width, " x ", now.height, " pixels");
     std::vector<Sighting> others;
     for (const Landmark& p : points) others.push_back(p.valid ? Sighting{p.x_px, p.y_px, 1, 0, 1} : Sighting{});
     forget(others[index]);
@@ -145,11 +153,8 @@ void put_right(const Knowledge& known, const Landmarks& correction, const Grey& 
             [](const Landmark& a, const Landmark& b) { return a.name < b.name; });
 }
 
-}  // namespace
-
-TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
-                         const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
-  check_inputs(frames, start, prior, options);
+TrackKltResult track(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
+                     const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
   const Image& frame = frames.centre();
   const Grey now = grey_of(frame);
   Knowledge known(start, options);
@@ -181,6 +186,50 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
   result.lost = static_cast<double>(std::count_if(result.landmarks.points.begin(), result.landmarks.points.end(),
                                                   [](const Landmark& p) { return !p.valid; }));
   return result;
+}
+
+// The same in smaller pictures.
+TrackKltResult track_small(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
+                           const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options,
+                           const Shrink& shrink) {
+  std::vector<std::shared_ptr<const Image>> images;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    images.push_back(std::make_shared<const Image>(shrink.image(frames[i])));
+  const engine::Window<Image> small_frames(std::move(images), frames.centre_index());
+  const auto each = [](TrackKltResult result, const auto& turn) {
+    for (Landmarks* points : {&result.landmarks, &result.followed, &result.put_right, &result.layout})
+      *points = turn(std::move(*points));
+    return result;
+  };
+  const auto to_small = [&](Landmarks points) { return shrink.to_small(std::move(points)); };
+  const auto to_full = [&](Landmarks points) { return shrink.to_full(std::move(points)); };
+  engine::Prior<TrackKltResult> small_prior;
+  if (prior) {
+    auto small = std::make_shared<TrackKltResult>(each(*prior, to_small));
+    small->return_error_px /= shrink.times();
+    small_prior = engine::Prior<TrackKltResult>(std::move(small));
+  }
+  Landmarks small_correction;
+  if (correction) small_correction = shrink.to_small(*correction);
+  TrackKltResult result =
+      each(track(small_frames, shrink.to_small(start), correction ? &small_correction : nullptr, small_prior, options),
+           to_full);
+  result.return_error_px *= shrink.times();
+  return result;
+}
+
+}  // namespace
+
+TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
+                         const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
+  check_inputs(frames, start, correction, prior, options);
+  const Image& frame = frames.centre();
+  const std::vector<std::size_t> outline = find_outline(start, options.outline);
+  const double mouth_px = outline.empty() ? 0 : mouth_width_px(start, outline);
+  const bool is_large = mouth_px > options.largest_mouth_px;
+  const Shrink shrink(frame.width, frame.height, is_large ? std::max(1.0, mouth_px / options.small_mouth_px) : 1);
+  return shrink.is_none() ? track(frames, start, correction, prior, options)
+                          : track_small(frames, start, correction, prior, options, shrink);
 }
 
 }  // namespace face::track

@@ -27,6 +27,9 @@ struct TrackKltOptions {
   // The contour of the chin from one side to the other; sought where the outline is and all of these are there.
   std::vector<std::string> jaw_line = {"jaw_r", "chin", "jaw_l"};
   double edge_reach_px = 4;  // how far from where it is expected the edge of the lips is looked for
+  // Pictures with a wider mouth than the first are made smaller, until it is as wide as the second; all other lengths
+  // count in what is then a pixel.
+  double largest_mouth_px = 100, small_mouth_px = 50;
 };
 
 struct TrackKltResult {
@@ -57,6 +60,9 @@ struct TrackKltResult {
 // those of the jaw line to the contour of the chin (jaw_line.h). Three rigid points are a pose of an average head where
 // all points are of the 18-point layout, so that a turn of the head does not turn the layout (solid_head.h). A rigid
 // point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
+//
+// Patches and reaches are made for mouths of 40 to 90 px: a patch of 15 px in a close-up holds nothing that tells its
+// place. Where the mouth at the start is wider, all this happens in a smaller picture.
 //
 // A point that is not valid goes with the others to where they say that it is, within the picture; where nothing is
 // seen it keeps its place. Rigid points that are not seen go with those that are, so that a blink does not leave the
