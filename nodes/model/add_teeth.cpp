@@ -114,6 +114,32 @@ class PartBuilder {
   Part part_;
 };
 
+// What is measured at a pixel; where nothing is, the mean of those about it: a lost pixel is no gap between teeth.
+struct Measured {
+  float radius_mm = 0;
+  Vec3f colour = {0, 0, 0};
+};
+Measured measured_at(const CylinderScan& scan, int x, int y) {
+  Measured sum;
+  float count = 0;
+  const auto add = [&](int column, int row) {
+    if (column < 0 || row < 0 || column >= scan.picture.width || row >= scan.picture.height) return;
+    const auto i = static_cast<std::size_t>(row * scan.picture.width + column);
+    if (!(scan.radius_mm[i] > 0)) return;
+    ++count;
+    sum.radius_mm += scan.radius_mm[i];
+    for (std::size_t k = 0; k < 3; ++k) sum.colour[k] += static_cast<float>(scan.picture.pixels[3 * i + k]) / 255;
+  };
+  add(x, y);
+  if (count == 0)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) add(x + dx, y + dy);
+  if (count == 0) return sum;
+  sum.radius_mm /= count;
+  for (float& c : sum.colour) c /= count;
+  return sum;
+}
+
 void add_jaw(MorphableModel& surface, const CylinderScan& scan, const MeshPoints& shape,
              const std::vector<std::uint32_t>& loop, bool upper, const AddTeethOptions& options) {
   const OrientShapeResult rest = orient_shape(shape, surface);
@@ -122,36 +148,35 @@ void add_jaw(MorphableModel& surface, const CylinderScan& scan, const MeshPoints
     for (std::size_t k = 0; k < 3; ++k)
       offset[k] = surface.mean.points_mm[surface.landmarks68[8]][k] - rest.shape.points_mm[surface.landmarks68[8]][k];
   const cv::Mat teeth = teeth_mask(scan, between_lips(scan, shape, loop), upper, options);
-  std::vector<std::int32_t> number(static_cast<std::size_t>(teeth.rows * teeth.cols), -1);
+  constexpr std::int32_t nothing = -1, to_come = -2;
+  std::vector<std::int32_t> number(static_cast<std::size_t>(teeth.rows * teeth.cols), nothing);
   PartBuilder part(surface.mean, upper ? upper_teeth_part : lower_teeth_part, 0.6f);
   const auto at = [&](int x, int y) -> std::int32_t& { return number[static_cast<std::size_t>(y * teeth.cols + x)]; };
   for (int y = 0; y < teeth.rows; ++y)
-    for (int x = 0; x < teeth.cols; ++x) {
-      // Whole cells only: a vertex without a triangle would belong to no part.
-      if (teeth.at<std::uint8_t>(y, x) == 0 || !(scan.radius_mm[static_cast<std::size_t>(y * teeth.cols + x)] > 0))
-        continue;
-      at(x, y) = -2;
-    }
+    for (int x = 0; x < teeth.cols; ++x)
+      if (teeth.at<std::uint8_t>(y, x) != 0 && measured_at(scan, x, y).radius_mm > 0) at(x, y) = to_come;
+  // Vertices come with their first triangle: one without any would belong to no part.
   const auto vertex = [&](int x, int y) {
-    if (at(x, y) == -2) {
-      const auto i = static_cast<std::size_t>(y * teeth.cols + x);
+    if (at(x, y) == to_come) {
+      const Measured seen = measured_at(scan, x, y);
       Vec3f p = moved(rest.surface_from_scan, cylinder_world(scan, {static_cast<double>(x), static_cast<double>(y),
-                                                                    static_cast<double>(scan.radius_mm[i])}));
-      Vec3f colour{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        p[k] += offset[k];
-        colour[k] = static_cast<float>(scan.picture.pixels[3 * i + k]) / 255;
-      }
-      at(x, y) = static_cast<std::int32_t>(part.vertex(p, colour));
+                                                                    static_cast<double>(seen.radius_mm)}));
+      for (std::size_t k = 0; k < 3; ++k) p[k] += offset[k];
+      at(x, y) = static_cast<std::int32_t>(part.vertex(p, seen.colour));
     }
     return static_cast<std::uint32_t>(at(x, y));
   };
   for (int y = 0; y + 1 < teeth.rows; ++y)
     for (int x = 0; x + 1 < teeth.cols; ++x) {
-      if (at(x, y) == -1 || at(x + 1, y) == -1 || at(x, y + 1) == -1 || at(x + 1, y + 1) == -1) continue;
-      const std::uint32_t a = vertex(x, y), b = vertex(x, y + 1), c = vertex(x + 1, y), d = vertex(x + 1, y + 1);
-      part.triangle(a, b, c);
-      part.triangle(c, b, d);
+      // Around the cell, from its upper right corner by the upper left one: two triangles, or one of three corners.
+      std::vector<cv::Point> corners;
+      for (const cv::Point corner :
+           {cv::Point(x + 1, y), cv::Point(x, y), cv::Point(x, y + 1), cv::Point(x + 1, y + 1)})
+        if (at(corner.x, corner.y) != nothing) corners.push_back(corner);
+      if (corners.size() < 3) continue;
+      std::vector<std::uint32_t> around;
+      for (const cv::Point corner : corners) around.push_back(vertex(corner.x, corner.y));
+      for (std::size_t k = 2; k < around.size(); ++k) part.triangle(around[0], around[k - 1], around[k]);
     }
   part.finish();
 }

@@ -6,7 +6,7 @@ using namespace engine::declare;
 using namespace face::model;
 
 NODE(
-    "model.add_teeth", &add_teeth, version{1},
+    "model.add_teeth", &add_teeth, version{2},
     doc{"Adds teeth, cut out of two scans, and the inside of the mouth to a reference surface: upper teeth stay in the "
         "skull, lower ones follow the chin."},
     input{"surface", "The reference surface (model.scan_template)"},

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double shut_mm = 6;      // edges of a shut mouth come out nearer to each other
 constexpr double teeth_mm = 2;     // and what is seen between them is no farther behind them
+constexpr float overhang_mm = 25;  // longer edges cross what is hidden
 constexpr double hidden_mm = 1.5;  // a vertex this far behind what the scanner sees there is hidden
 
 using Point = std::array<double, 3>;
@@ -29,15 +30,17 @@ void check_shape(const MeshPoints& shape, std::size_t skin, const char* name) {
         skin);
 }
 
-// Vertices that share an edge, for the skin.
+// Vertices that share an edge, for the skin. Edges from chin to neck, across what no scan shows, do not count: what one
+// does tells nothing of the other.
 std::vector<std::vector<std::uint32_t>> neighbours_of(const MorphableModel& surface, std::size_t skin) {
   std::vector<std::vector<std::uint32_t>> near(skin);
   for (const render::Triangle& t : render::triangulate(surface.mean).triangles) {
     if (t[0] >= skin || t[1] >= skin || t[2] >= skin) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      near[t[k]].push_back(t[(k + 1) % 3]);
-      near[t[k]].push_back(t[(k + 2) % 3]);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
+        const Vec3f &p = surface.mean.points_mm[t[k]], &q = surface.mean.points_mm[t[other]];
+        if (std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= overhang_mm) near[t[k]].push_back(t[other]);
+      }
   }
   for (auto& list : near) {
     std::sort(list.begin(), list.end());
@@ -126,30 +129,81 @@ void fill(const std::vector<std::uint8_t>& found, const std::vector<std::vector<
     for (const std::uint32_t v : order) values[v] = mean_of(v);
 }
 
-// Lips that the scan shows shut have no end that flow could find: the edges of the surface's mouth, filled in, are
-// brought together at their middle. Returns whether there were any.
+// The ends of the lips in one column of the mouth, and what the scan shows between them.
+struct LipGap {
+  LipPair pair;
+  Point upper{}, lower{}, middle{};
+  enum { shut, open, unknown } state = unknown;
+};
+
+// The measured radius nearest to a place, up to a few rows above or below: a groove has pixels that no laser reaches.
+double radius_near(const CylinderScan& scan, const CylinderPixel& at) {
+  constexpr int reach_px = 3;
+  for (int d = 0; d <= reach_px; ++d)
+    for (const int sign : {-1, 1})
+      if (const double radius = cylinder_radius(scan, at.x_px, at.y_px + sign * d); radius > 0) return radius;
+  return 0;
+}
+
+LipGap look_between(const CylinderScan& target, LipGap gap) {
+  double squared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    gap.middle[k] = 0.5 * (gap.upper[k] + gap.lower[k]);
+    squared += (gap.upper[k] - gap.lower[k]) * (gap.upper[k] - gap.lower[k]);
+  }
+  CylinderPixel at = cylinder_pixel(target, {static_cast<float>(gap.middle[0]), static_cast<float>(gap.middle[1]),
+                                             static_cast<float>(gap.middle[2])});
+  const double seen = radius_near(target, at);
+  if (!(seen > 0)) return gap;
+  const double behind = at.radius_mm - seen;
+  // Nothing between open lips is in front of them: ends that are apart and behind what is seen were not found.
+  gap.state = behind > teeth_mm || (squared > shut_mm * shut_mm && behind > 0) ? LipGap::open : LipGap::shut;
+  if (gap.state == LipGap::shut) {
+    at.radius_mm = seen;
+    gap.middle = point_of(cylinder_world(target, at));
+  }
+  return gap;
+}
+
+// Columns of which nothing is known are as those about them; between a shut one and an open one, open.
+void settle_unknown(std::vector<LipGap>& gaps) {
+  const auto nearest = [&](auto from, auto to) {
+    const auto known = std::find_if(from, to, [](const LipGap& gap) { return gap.state != LipGap::unknown; });
+    return known == to ? LipGap::unknown : known->state;
+  };
+  const std::vector<LipGap> before = gaps;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (before[i].state != LipGap::unknown) continue;
+    const auto right = nearest(before.rend() - static_cast<std::ptrdiff_t>(i), before.rend());
+    const auto left = nearest(before.begin() + static_cast<std::ptrdiff_t>(i), before.end());
+    gaps[i].state = right == LipGap::open || left == LipGap::open   ? LipGap::open
+                    : right == LipGap::shut || left == LipGap::shut ? LipGap::shut
+                                                                    : LipGap::unknown;
+  }
+}
+
+// Lips that the scan shows shut have no end that flow could find: the edges of the surface's mouth are brought together
+// where the scan is seen between them. Returns whether there were any.
 bool close_lips(const MorphableModel& surface, const MeshPoints& start, const CylinderScan& target,
                 std::vector<std::uint8_t>& found, std::vector<Values>& values) {
-  bool any = false;
+  std::vector<LipGap> gaps;
   for (const LipPair& pair : lip_pairs(surface, mouth_loop(surface))) {
-    if (found[pair.upper] != 0 && found[pair.lower] != 0) continue;
-    Point upper{}, lower{}, middle{};
-    double apart = 0;
+    LipGap gap{pair, point_of(start.points_mm[pair.upper]), point_of(start.points_mm[pair.lower])};
     for (std::size_t k = 0; k < 3; ++k) {
-      upper[k] = static_cast<double>(start.points_mm[pair.upper][k]) + values[pair.upper][k];
-      lower[k] = static_cast<double>(start.points_mm[pair.lower][k]) + values[pair.lower][k];
-      middle[k] = 0.5 * (upper[k] + lower[k]);
-      apart += (upper[k] - lower[k]) * (upper[k] - lower[k]);
+      gap.upper[k] += values[pair.upper][k];
+      gap.lower[k] += values[pair.lower][k];
     }
-    const CylinderPixel at = cylinder_pixel(
-        target, {static_cast<float>(middle[0]), static_cast<float>(middle[1]), static_cast<float>(middle[2])});
-    const double seen = cylinder_radius(target, at.x_px, at.y_px);
-    if (apart > shut_mm * shut_mm || !(seen > 0) || at.radius_mm - seen > teeth_mm) continue;
+    gaps.push_back(look_between(target, gap));
+  }
+  settle_unknown(gaps);
+  bool any = false;
+  for (const LipGap& gap : gaps) {
+    if (gap.state != LipGap::shut) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      values[pair.upper][k] += middle[k] - upper[k];
-      values[pair.lower][k] += middle[k] - lower[k];
+      values[gap.pair.upper][k] += gap.middle[k] - gap.upper[k];
+      values[gap.pair.lower][k] += gap.middle[k] - gap.lower[k];
     }
-    found[pair.upper] = found[pair.lower] = 1;
+    found[gap.pair.upper] = found[gap.pair.lower] = 1;
     any = true;
   }
   return any;

@@ -28,9 +28,9 @@ struct MatchCylinderResult {
 // 2.3): each is looked up in drawn, the picture of start, moved by the flow from there to target, and takes the
 // target's radius and colour there. Vertices that drawn hides (inner lips), whose flow leaves what is measured, or that
 // move otherwise than those about them by more than outlier_mm, are filled in: their displacement from start is the
-// harmonic continuation of their neighbours' over the mesh; the edges of a mouth that the scan shows shut
-// are brought together. start: the combination that the flow began with. drawn: of
-// start, by draw_cylinder.
+// harmonic continuation of their neighbours' over the mesh. Where the scan shows lips and not the inside of a mouth
+// between the edges of the surface's mouth, these are brought together on what is seen, column by column. start: the
+// combination that the flow began with. drawn: of start, by draw_cylinder.
 MatchCylinderResult match_cylinder(const MorphableModel& surface, const MeshPoints& start, const CylinderScan& drawn,
                                    const CylinderScan& target, const FlowField& flow,
                                    const MatchCylinderOptions& options = {});

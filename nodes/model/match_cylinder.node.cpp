@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.match_cylinder", &match_cylinder, version{1},
+NODE("model.match_cylinder", &match_cylinder, version{2},
      doc{"A surface's vertices in a scan around an axis, by the flow from a combination's picture to it; what the flow "
          "does not reach is filled in."},
      input{"surface", "The reference surface"}, input{"start", "The combination that the flow began with"},

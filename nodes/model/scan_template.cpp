@@ -62,6 +62,19 @@ CylinderScan filled(const CylinderScan& scan) {
   return out;
 }
 
+// Whether a pixel is far behind one beside it: what is seen past the edge of a lip.
+bool behind_lip(const CylinderScan& scan, int x, int y) {
+  constexpr int beside_px = 2;
+  constexpr float behind_mm = 6;
+  const auto radius = [&](int column, int row) {
+    return scan.radius_mm[static_cast<std::size_t>(row * scan.picture.width + column)];
+  };
+  for (int dy = -beside_px; dy <= beside_px; ++dy)
+    for (int dx = -beside_px; dx <= beside_px; ++dx)
+      if (radius(x + dx, y + dy) > radius(x, y) + behind_mm) return true;
+  return false;
+}
+
 // The inside of the mouth, 255: the polygon of the inner lips, its edge moved to where what is seen changes. A pixel
 // near the edge goes to the side that has the most alike pixel near by.
 cv::Mat mouth_mask(const CylinderScan& scan, const std::vector<cv::Point2f>& points) {
@@ -103,6 +116,9 @@ cv::Mat mouth_mask(const CylinderScan& scan, const std::vector<cv::Point2f>& poi
   const cv::Mat cross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
   cv::morphologyEx(result, result, cv::MORPH_CLOSE, cross);
   cv::morphologyEx(result, result, cv::MORPH_OPEN, cross);
+  for (int y = lip_seed_px; y + lip_seed_px < mask.rows; ++y)
+    for (int x = lip_seed_px; x + lip_seed_px < mask.cols; ++x)
+      if (outside.at<float>(y, x) <= lip_reach_px && behind_lip(scan, x, y)) result.at<std::uint8_t>(y, x) = 255;
   return result;
 }
 
@@ -198,37 +214,82 @@ void keep_largest(Mesh& mesh) {
   mesh = std::move(kept);
 }
 
-Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector<int>& first_row, int last_row,
-               const ScanTemplateOptions& options) {
-  Mesh mesh;
-  const int width = scan.picture.width;
-  const int row_step_px = static_cast<int>(options.row_step_px),
+// The row nearest to `from` on the way to `to`, both ends included, that the mouth takes; -1 where there is none.
+int mouth_row(const cv::Mat& mouth, int x, int from, int to) {
+  const int step = to < from ? -1 : 1;
+  for (int y = from; y != to + step; y += step)
+    if (mouth.at<std::uint8_t>(y, x) != 0) return y;
+  return -1;
+}
+
+// Which pixels of a scan are vertices: every row_step_px-th row of every column_step_px-th column, those beside a mouth
+// moved along their column to where it begins, so that lips end where they are seen to.
+struct PixelGrid {
+  int columns = 0, rows = 0;
+  std::vector<cv::Point> place_px;  // rows x columns
+  std::vector<bool> skin;           // whether there is a vertex
+  std::vector<bool> cut;            // whether the mouth lies between it and the next one below
+
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+};
+
+PixelGrid pixel_grid(const CylinderScan& scan, const cv::Mat& mouth, const std::vector<int>& first_row, int last_row,
+                     const ScanTemplateOptions& options) {
+  const int width = scan.picture.width, row_step_px = static_cast<int>(options.row_step_px),
             column_step_px = static_cast<int>(options.column_step_px);
   const int half =
       static_cast<int>(options.half_angle_deg * std::numbers::pi / 180 / static_cast<double>(scan.phi_step_rad));
   const int left = std::max(0, width / 2 - half / column_step_px * column_step_px),
             right = std::min(width - 1, width / 2 + half);
-  const int columns = (right - left) / column_step_px + 1, rows = scan.picture.height / row_step_px;
-  std::vector<std::int32_t> vertex(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1);
-  const auto node = [&](int c, int r) -> std::int32_t& {
-    return vertex[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)];
+  const auto measured = [&](int x, int y) {
+    return scan.radius_mm[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] >
+           0;
   };
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) {
+  PixelGrid grid;
+  grid.columns = (right - left) / column_step_px + 1;
+  grid.rows = scan.picture.height / row_step_px;
+  for (int r = 0; r < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) {
       const int x = left + c * column_step_px, y = r * row_step_px;
-      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-      if (y < first_row[static_cast<std::size_t>(x)] || y > last_row || !(scan.radius_mm[i] > 0) ||
-          mouth.at<std::uint8_t>(y, x) != 0)
-        continue;
-      node(c, r) = static_cast<std::int32_t>(mesh.points_mm.size());
-      mesh.points_mm.push_back(cylinder_world(
-          scan, {static_cast<double>(x), static_cast<double>(y), static_cast<double>(scan.radius_mm[i])}));
-      mesh.uvs.push_back({(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                          1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(scan.picture.height)});
-      Vec3f colour{};
-      for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<float>(scan.picture.pixels[3 * i + k]) / 255;
-      mesh.colors_srgb.push_back(colour);
+      grid.place_px.emplace_back(x, y);
+      grid.skin.push_back(y >= first_row[static_cast<std::size_t>(x)] && y <= last_row && measured(x, y) &&
+                          mouth.at<std::uint8_t>(y, x) == 0);
     }
+  grid.cut.assign(grid.skin.size(), false);
+  for (int r = 0; r + 1 < grid.rows; ++r)
+    for (int c = 0; c < grid.columns; ++c) {
+      const std::size_t above = grid.at(c, r), below = grid.at(c, r + 1);
+      const int x = left + c * column_step_px, y = r * row_step_px;
+      const int begins = mouth_row(mouth, x, y, y + row_step_px), ends = mouth_row(mouth, x, y + row_step_px, y);
+      if (begins < 0) continue;
+      grid.cut[above] = true;
+      if (grid.skin[above] && measured(x, begins - 1)) grid.place_px[above].y = begins - 1;
+      if (grid.skin[below] && measured(x, ends + 1)) grid.place_px[below].y = ends + 1;
+    }
+  return grid;
+}
+
+Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector<int>& first_row, int last_row,
+               const ScanTemplateOptions& options) {
+  const PixelGrid grid = pixel_grid(scan, mouth, first_row, last_row, options);
+  Mesh mesh;
+  std::vector<std::int32_t> vertex(grid.skin.size(), -1);
+  for (std::size_t n = 0; n < grid.skin.size(); ++n) {
+    if (!grid.skin[n]) continue;
+    const cv::Point& at = grid.place_px[n];
+    const auto i =
+        static_cast<std::size_t>(at.y) * static_cast<std::size_t>(scan.picture.width) + static_cast<std::size_t>(at.x);
+    vertex[n] = static_cast<std::int32_t>(mesh.points_mm.size());
+    mesh.points_mm.push_back(cylinder_world(
+        scan, {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(scan.radius_mm[i])}));
+    mesh.uvs.push_back({(static_cast<float>(at.x) + 0.5f) / static_cast<float>(scan.picture.width),
+                        1 - (static_cast<float>(at.y) + 0.5f) / static_cast<float>(scan.picture.height)});
+    Vec3f colour{};
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<float>(scan.picture.pixels[3 * i + k]) / 255;
+    mesh.colors_srgb.push_back(colour);
+  }
   const auto near = [&](std::int32_t a, std::int32_t b) {
     const Vec3f &p = mesh.points_mm[static_cast<std::size_t>(a)], &q = mesh.points_mm[static_cast<std::size_t>(b)];
     return static_cast<double>(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2])) <= options.longest_edge_mm;
@@ -237,13 +298,22 @@ Mesh skin_mesh(const CylinderScan& scan, const cv::Mat& mouth, const std::vector
     if (a < 0 || b < 0 || c < 0 || !near(a, b) || !near(b, c) || !near(c, a)) return;
     for (const std::int32_t v : {a, b, c}) mesh.corners.push_back(static_cast<std::uint32_t>(v));
   };
-  for (int r = 0; r + 1 < rows; ++r)
-    for (int c = 0; c + 1 < columns; ++c) {
-      const cv::Rect cell(left + c * column_step_px, r * row_step_px, column_step_px + 1, row_step_px + 1);
-      if (cv::countNonZero(mouth(cell & cv::Rect(0, 0, mouth.cols, mouth.rows))) > 0) continue;
+  for (int r = 0; r + 1 < grid.rows; ++r)
+    for (int c = 0; c + 1 < grid.columns; ++c) {
       // Counter-clockwise seen from outside: rows run downwards, columns to the head's left.
-      add(node(c, r), node(c, r + 1), node(c + 1, r));
-      add(node(c + 1, r), node(c, r + 1), node(c + 1, r + 1));
+      const std::int32_t a = vertex[grid.at(c, r)], b = vertex[grid.at(c + 1, r)], d = vertex[grid.at(c, r + 1)],
+                         e = vertex[grid.at(c + 1, r + 1)];
+      const bool left_cut = grid.cut[grid.at(c, r)], right_cut = grid.cut[grid.at(c + 1, r)];
+      if (left_cut && right_cut && a >= 0 && b >= 0 && d >= 0 && e >= 0) continue;
+      // One diagonal or the other: the one that leaves no side of the mouth across skin.
+      const bool falling = (a >= 0 && e >= 0 && (b < 0 || d < 0));
+      if (falling) {
+        if (!left_cut) add(a, d, e);
+        if (!right_cut) add(a, e, b);
+      } else {
+        if (!left_cut) add(a, d, b);
+        if (!right_cut) add(b, d, e);
+      }
     }
   keep_largest(mesh);
   return mesh;

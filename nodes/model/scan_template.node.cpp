@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.scan_template", &scan_template, version{1},
+NODE("model.scan_template", &scan_template, version{2},
      doc{"The reference surface of scans around an axis: a mesh over a reference scan's skin, the mouth cut open, as a "
          "model whose spaces are empty."},
      input{"reference", "A scan with a half open mouth, or a closed one for identities"},

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "nodes/flow/cylinder_colours.h"
 #include "nodes/flow/scan_flow.h"
@@ -65,6 +67,69 @@ TEST(ScanTemplate, HasAMouthAndPairsAcrossIt) {
     EXPECT_GT(surface.mean.points_mm[pair.upper][1], surface.mean.points_mm[pair.lower][1]);
 }
 
+// Rows of the picture at which the lips end, column by column.
+std::map<float, std::pair<float, float>> lip_rows(const MorphableModel& surface, const CylinderScan& scan) {
+  std::map<float, std::pair<float, float>> rows;
+  const auto row = [&](std::uint32_t v) {
+    return (1 - surface.mean.uvs[v][1]) * static_cast<float>(scan.picture.height) - 0.5f;
+  };
+  for (const LipPair& pair : surface.inner_lips)
+    rows[surface.mean.uvs[pair.upper][0]] = {row(pair.upper), row(pair.lower)};
+  return rows;
+}
+
+TEST(ScanTemplate, EndsItsLipsWhereTheMouthBeginsHoweverCoarseItIs) {
+  const CylinderScan& scan = test::half_open().taken.scan;
+  const Landmarks marks = test::marks_of(test::half_open());
+  const auto fine = lip_rows(scan_template(scan, marks, {.row_step_px = 1, .column_step_px = 1}), scan);
+  const auto coarse = lip_rows(scan_template(scan, marks, {.row_step_px = 5, .column_step_px = 1}), scan);
+  ASSERT_GT(coarse.size(), 8u);
+  for (const auto& [u, rows] : coarse) {
+    const auto at = fine.find(u);
+    ASSERT_NE(at, fine.end());
+    EXPECT_NEAR(rows.first, at->second.first, 1.5) << u;
+    EXPECT_NEAR(rows.second, at->second.second, 1.5) << u;
+  }
+}
+
+TEST(ScanTemplate, TakesNothingInsideTheMouthForLip) {
+  const CylinderScan& scan = test::half_open().taken.scan;
+  const MorphableModel& surface = test::half_open_surface();
+  const std::vector<std::uint32_t> loop = mouth_loop(surface);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3f &p = surface.mean.points_mm[loop[i]], &q = surface.mean.points_mm[loop[(i + 1) % loop.size()]];
+    EXPECT_LT(std::abs(cylinder_pixel(scan, p).radius_mm - cylinder_pixel(scan, q).radius_mm), 7)
+        << "from row " << p[1] << " to " << q[1];
+  }
+}
+
+TEST(ScanTemplate, IsClosedBelowTheChin) {
+  // One edge around the skin, one around the mouth: no hole where the chin hides what is below it.
+  const MorphableModel& surface = test::half_open_surface();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+  for (std::size_t c = 0; c < surface.mean.corners.size(); ++c) {
+    const std::uint32_t a = surface.mean.corners[c], b = surface.mean.corners[c % 3 == 2 ? c - 2 : c + 1];
+    ++uses[{std::min(a, b), std::max(a, b)}];
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> next;
+  for (const auto& [edge, count] : uses)
+    if (count == 1) {
+      next[edge.first].push_back(edge.second);
+      next[edge.second].push_back(edge.first);
+    }
+  int loops = 0;
+  for (std::set<std::uint32_t> seen; const auto& [start, unused] : next) {
+    if (seen.contains(start)) continue;
+    ++loops;
+    for (std::vector<std::uint32_t> left = {start}; !left.empty();) {
+      const std::uint32_t v = left.back();
+      left.pop_back();
+      if (seen.insert(v).second) left.insert(left.end(), next[v].begin(), next[v].end());
+    }
+  }
+  EXPECT_EQ(loops, 2);
+}
+
 TEST(ScanTemplate, IsWholeWhereTheMouthIsShut) {
   const test::ScannedFace rest = test::scan_face(test::face_of({}));
   const MorphableModel surface = scan_template(rest.taken.scan, test::marks_of(rest));
@@ -105,6 +170,31 @@ TEST(MatchCylinder, FollowsAnOpeningMouth) {
   EXPECT_GT(found.sampled, 0.8);
   EXPECT_LT(median_distance(found.shape, test::truth_of(wide)), 0.5);
   EXPECT_GT(median_distance(start, test::truth_of(wide)), 0.05);
+}
+
+double widest_gap_mm(const MorphableModel& surface, const MeshPoints& shape) {
+  double widest = 0;
+  for (const LipPair& pair : lip_pairs(surface, mouth_loop(surface))) {
+    const Vec3f &p = shape.points_mm[pair.upper], &q = shape.points_mm[pair.lower];
+    widest = std::max<double>(widest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  return widest;
+}
+
+TEST(MatchCylinder, ShutsAllOfAMouthThatTheScanShowsShut) {
+  const test::ScannedFace rest = test::scan_face(test::face_of({}));
+  const MorphableModel& surface = test::half_open_surface();
+  EXPECT_GT(widest_gap_mm(surface, skin_of(surface)), 5);
+  const MatchCylinderResult found = matched(surface, skin_of(surface), rest.taken.scan);
+  EXPECT_LT(widest_gap_mm(surface, found.shape), 0.01);
+}
+
+TEST(MatchCylinder, LeavesAMouthOpenThatTheScanShowsOpen) {
+  const test::ScannedFace ajar = test::scan_face(test::face_of({{"jawOpen", 0.15f}}));
+  const MorphableModel& surface = test::half_open_surface();
+  const double truly_mm = widest_gap_mm(surface, test::truth_of(ajar));
+  EXPECT_GT(truly_mm, 3);
+  EXPECT_NEAR(widest_gap_mm(surface, matched(surface, skin_of(surface), ajar.taken.scan).shape), truly_mm, 2);
 }
 
 TEST(MatchCylinder, FillsWhatTheFlowDoesNotReach) {
@@ -192,13 +282,38 @@ TEST(BatchFlags, DealsOutByLikeness) {
   EXPECT_EQ(first, (std::vector<std::string>{"bd", "ce", "a"}));
 }
 
+test::ScannedFace grinning() {
+  return test::scan_face(test::face_of({{"jawOpen", 0.3f},
+                                        {"mouthUpperUpLeft", 0.9f},
+                                        {"mouthUpperUpRight", 0.9f},
+                                        {"mouthLowerDownLeft", 0.9f},
+                                        {"mouthLowerDownRight", 0.9f}}),
+                         384);
+}
+
+TEST(AddTeeth, TakesALostPixelForNoGap) {
+  const test::ScannedFace grin = grinning();
+  const MeshPoints shape = test::truth_of(grin);
+  const auto whole = [&](const CylinderScan& scan) {
+    return add_teeth(test::half_open_surface(), {std::vector<CylinderScan>{scan}}, {std::vector<MeshPoints>{shape}});
+  };
+  const MorphableModel before = whole(grin.taken.scan);
+  const Part& teeth = before.mean.parts[1];
+  const std::uint32_t tooth =
+      before.mean.corners[before.mean.polygon_starts[teeth.first_polygon + teeth.polygon_count / 2]];
+  CylinderScan lost = grin.taken.scan;
+  const CylinderPixel at = cylinder_pixel(lost, before.mean.points_mm[tooth]);
+  const auto pixel = static_cast<std::size_t>(std::lround(at.y_px)) * static_cast<std::size_t>(lost.picture.width) +
+                     static_cast<std::size_t>(std::lround(at.x_px));
+  lost.radius_mm[pixel] = 0;
+  for (std::size_t k = 0; k < 3; ++k) lost.picture.pixels[3 * pixel + k] = 0;
+  const MorphableModel after = whole(lost);
+  EXPECT_EQ(after.mean.parts[1].polygon_count, teeth.polygon_count);
+  EXPECT_LT(std::abs(after.mean.points_mm[tooth][2] - before.mean.points_mm[tooth][2]), 0.5);
+}
+
 TEST(AddTeeth, HangsTheLowerOnesOnTheChin) {
-  const test::ScannedFace grin = test::scan_face(test::face_of({{"jawOpen", 0.3f},
-                                                                {"mouthUpperUpLeft", 0.9f},
-                                                                {"mouthUpperUpRight", 0.9f},
-                                                                {"mouthLowerDownLeft", 0.9f},
-                                                                {"mouthLowerDownRight", 0.9f}}),
-                                                 384);
+  const test::ScannedFace grin = grinning();
   const MorphableModel& surface = test::half_open_surface();
   const MeshPoints shape = test::truth_of(grin);
   const MorphableModel whole =
