@@ -217,6 +217,8 @@ const Registered transfer({
             {"transfer.freeze_edges.mesh", mesh},
             {"transfer.mark_lips.rig", heads},
             {"transfer.mark_lips.mesh", mesh},
+            {"transfer.line_mouth.rig", heads},
+            {"transfer.line_mouth.mesh", mesh},
             {"transfer.judge_lips.places", about_the_lips((test::sheet_upper_lip - 8) * triangles_per_row)},
             {"transfer.judge_lips.truth", about_the_lips((test::sheet_upper_lip - 10) * triangles_per_row)},
             {"transfer.judge_lips.head", heads},

@@ -12,6 +12,7 @@
 #include "nodes/transfer/draw_texture.h"
 #include "nodes/transfer/fit_identity.h"
 #include "nodes/transfer/judge_lips.h"
+#include "nodes/transfer/line_mouth.h"
 #include "nodes/transfer/lip_sides.h"
 #include "nodes/transfer/look_up.h"
 #include "nodes/transfer/mark_lips.h"
@@ -399,6 +400,29 @@ TEST(MarkLips, PairsTheEdgesAndMarksTheLips) {
   }
   EXPECT_EQ(result.lips.on[node(20, 20)], 1);
   EXPECT_EQ(result.lips.on[node(2, 20)], 0);
+}
+
+TEST(LineMouth, SpansTheOpeningFromLipToLip) {
+  const Mesh open = sheet(4);
+  const Rig lined = line_mouth(rig_of(open), open);
+  EXPECT_EQ(lined.neutral.points_mm, open.points_mm);
+  ASSERT_EQ(lined.neutral.parts.size(), open.parts.size() + 1);
+  const Part& mouth = lined.neutral.parts.back();
+  EXPECT_EQ(mouth.name, "mouth");
+  EXPECT_EQ(mouth.first_polygon, open.polygon_count());
+  // It faces the viewer everywhere, is as large as the opening, and leaves none.
+  double area_mm2 = 0;
+  for (std::uint32_t f = mouth.first_polygon; f < lined.neutral.polygon_count(); ++f) {
+    const std::uint32_t* c = lined.neutral.corners.data() + lined.neutral.polygon_starts[f];
+    const auto at = [&](int k) { return open.points_mm[c[k]]; };
+    const float twice = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) - (at(2)[0] - at(0)[0]) * (at(1)[1] - at(0)[1]);
+    EXPECT_GE(twice, 0) << "polygon " << f;
+    area_mm2 += 0.5 * static_cast<double>(twice);
+  }
+  EXPECT_GT(area_mm2, 40);
+  EXPECT_FALSE(find_mouth_opening(lined.neutral).found());
+  EXPECT_EQ(line_mouth(rig_of(sheet(0)), test::lip_sheet(0, 90, false)).neutral.parts.size(), sheet(0).parts.size());
+  EXPECT_THROW_TEXT(line_mouth({}, open), "rig has 0 vertices, the mesh 1681");
 }
 
 TEST(PickTruth, FindsTheReferenceById) {
