@@ -20,7 +20,8 @@ void write_grey(const Image& image, float* values) {
   const auto channels = static_cast<std::size_t>(image.channels);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t* p = image.pixels.data() + i * channels;
-    values[i] = channels < 3 ? p[0] : 0.299f * p[0] + 0.587f * p[1] + 0.114f * p[2];
+    // Of equal channels exactly their value.
+    values[i] = channels < 3 ? p[0] : p[1] + 0.299f * (p[0] - p[1]) + 0.114f * (p[2] - p[1]);
   }
 }
 

@@ -92,6 +92,18 @@ TEST(RemoveMouth, RemovesNothingFromAClosedMouth) {
   EXPECT_EQ(result.scan.depth_mm, frame.scan.depth_mm);
 }
 
+TEST(RemoveMouth, IsTheSameForAGreyPictureWithThreeChannels) {
+  for (const float jaw : {0.1f, 0.2f, 0.3f, 0.5f}) {
+    const auto frame = stream().frame(stream().weights({{"jawOpen", jaw}}));
+    DepthScan colour = frame.scan;
+    colour.picture = {frame.scan.picture.width, frame.scan.picture.height, 3, {}};
+    for (const std::uint8_t grey : frame.scan.picture.pixels)
+      colour.picture.pixels.insert(colour.picture.pixels.end(), 3, grey);
+    EXPECT_EQ(remove_mouth(colour, nullptr, nullptr).interior.pixels,
+              remove_mouth(frame.scan, nullptr, nullptr).interior.pixels);
+  }
+}
+
 TEST(RemoveMouth, IsDrivenByItsOneParameter) {
   EXPECT_EQ(area_of(remove_mouth(wall_with_slot(6), nullptr, nullptr, {.threshold_mm = 4}).interior), 50u);
   EXPECT_EQ(area_of(remove_mouth(wall_with_slot(6), nullptr, nullptr, {.threshold_mm = 8}).interior), 0u);
