@@ -85,6 +85,19 @@ const Maker openings = made([](int variant) {
   return all[static_cast<std::size_t>(variant) % all.size()];
 });
 
+// The lips of these: the third's lower one is half behind the teeth.
+const Maker parting_lips = made([](int variant) {
+  const double lower_px = variant % 4 == 2 ? 7.75 : 12;
+  face::Landmarks points;
+  for (int k = 1; k <= 3; ++k) {
+    points.points.push_back({"lip_" + std::to_string(k + 1), 10.0 * k, 20, true});
+    points.points.push_back({"inner_lip_" + std::to_string(k), 10.0 * k, 28, true});
+    points.points.push_back({"inner_lip_" + std::to_string(8 - k), 10.0 * k, 29, true});
+    points.points.push_back({"lip_" + std::to_string(11 - k), 10.0 * k, 29 + lower_px, true});
+  }
+  return points;
+});
+
 engine::ParamValue names(std::vector<std::string> list) { return list; }
 
 const Registered track({
@@ -106,6 +119,7 @@ const Registered track({
             {"track.mouth_opening.image", clip},
             {"track.mouth_opening.landmarks", scattered(first_points, 2)},
             {"track.find_contact.openings", openings},
+            {"track.find_contact.landmarks", parting_lips},
             {"track.report.landmarks", losing_points(speaker_points)},
             {"track.report.state", states},
             {"track.report.timeline", uneven_timeline},

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <map>
 
+#include "nodes/track/inner_lips.h"
 #include "nodes/track/mouth_opening.h"
 #include "tests/nodes/track/grid_clip.h"
 #include "tests/nodes/track/phantom_clip.h"
@@ -18,10 +19,11 @@ using namespace face;
 
 namespace {
 
-std::vector<double> contacts_of(const std::vector<double>& openings, const track::FindContactOptions& options = {}) {
+std::vector<double> contacts_of(const std::vector<double>& openings, const track::FindContactOptions& options = {},
+                                const engine::Seq<Landmarks>* landmarks = nullptr) {
   std::vector<double> found;
   engine::SeqWriter<double> writer([&](const std::string&, double contact) { found.push_back(contact); });
-  track::find_contact(engine::Seq<double>(openings), writer, options);
+  track::find_contact(engine::Seq<double>(openings), landmarks, writer, options);
   return found;
 }
 
@@ -29,8 +31,13 @@ std::vector<double> contacts_of(const std::vector<double>& openings, const track
 std::vector<double> contacts_of(const std::vector<std::shared_ptr<const Image>>& frames,
                                 const std::vector<Landmarks>& points) {
   std::vector<double> openings;
-  for (std::size_t i = 0; i < frames.size(); ++i) openings.push_back(track::mouth_opening(*frames[i], points[i]));
-  return contacts_of(openings);
+  std::vector<Landmarks> lips;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    openings.push_back(track::mouth_opening(*frames[i], points[i]));
+    lips.push_back(track::inner_lips(*frames[i], points[i]));
+  }
+  const engine::Seq<Landmarks> landmarks(lips);
+  return contacts_of(openings, {}, &landmarks);
 }
 
 // 80 frames, of which five are shut.
@@ -75,8 +82,29 @@ TEST(FindContact, KnowsNothingOfFramesThatAreNotSeen) {
   EXPECT_TRUE(contacts_of(std::vector<double>{}).empty());
 }
 
+TEST(FindContact, ALowerLipBehindTheTeethMeetsNoLip) {
+  const std::vector<double> openings(20, 0.3);
+  std::vector<Landmarks> lips;
+  for (int t = 0; t < 20; ++t) {
+    const double lower_px = t == 7 ? 8 : t == 8 ? 11 : 12;
+    Landmarks points;
+    for (int k = 1; k <= 3; ++k) {
+      points.points.push_back({"lip_" + std::to_string(k + 1), 10.0 * k, 100, true});
+      points.points.push_back({"inner_lip_" + std::to_string(k), 10.0 * k, t == 7 ? 110.0 : 108.0, true});
+      points.points.push_back({"inner_lip_" + std::to_string(8 - k), 10.0 * k, 111, true});
+      points.points.push_back({"lip_" + std::to_string(11 - k), 10.0 * k, 111 + lower_px, true});
+    }
+    lips.push_back(points);
+  }
+  const engine::Seq<Landmarks> landmarks(lips);
+  const std::vector<double> found = contacts_of(openings, {}, &landmarks);
+  for (std::size_t t = 0; t < found.size(); ++t) EXPECT_EQ(found[t], t == 7 ? 0 : 1) << t;
+}
+
 TEST(FindContact, RejectsWhatIsNoOpening) {
   EXPECT_THROW_TEXT(contacts_of({0.5, NAN}), "the opening of frame 1 is nan, expected a finite number");
+  const engine::Seq<Landmarks> none;
+  EXPECT_THROW_TEXT(contacts_of({0.5}, {}, &none), "there are 0 landmarks, expected 1 as openings");
   EXPECT_THROW_TEXT(contacts_of({0.5}, {0.03, 2, 1.5}), "shut_ratio is 2, expected less than open_ratio, which is 1.5");
 }
 
