@@ -11,11 +11,11 @@
 #include "nodes/model/fit_joint.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
-#include "nodes/model/mouth_cost.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/robust_weights.h"
+#include "nodes/model/settle_mouths.h"
 
 namespace face::model {
 namespace {
@@ -27,18 +27,13 @@ constexpr double turn_sigma = 0.5, place_sigma_px = 1e3, scale_sigma = 0.5, foca
 constexpr double light_sigma[light_parameters] = {0.4,  0.4,  0.4,  0.5,  0.5,  0.5,  0.8, 0.8,
                                                   0.15, 0.15, 0.15, 0.15, 0.04, 0.04, 0.04};
 constexpr double overlap_sigma_mm = 0.3, closed_sigma_mm = 0.1;
-constexpr double narrow_gap_mm = 4;     // up to which an open mouth is doubted
-constexpr double line_mm = 1;           // up to which nothing is seen between lips but the line where they meet
-constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
-// Photographs of closed mouths come out at 0.13 to 0.25, of slightly open ones at 0.6.
-constexpr double lips_seen = 0.4;  // mouth_cost up to which what is between the lips is lips
 // Made persons come out within 0.005 of their pictures, photographs within 0.02: the rest is what no component
 // explains, and shape must not bend to explain it. From explained on, points and priors of the shape gain what pixels
 // lose in a proper likelihood, up to most_doubt times; light and albedo stay free.
 constexpr double explained = 0.01, most_doubt = 4;
-constexpr double usual_brightness = 0.6;  // of skin; in darker pictures differences are smaller in proportion
-constexpr double huber = 2.5;             // sigmas from which an error of a point counts linearly only
-constexpr int closing_steps = 8;
+constexpr double usual_brightness = 0.75;  // of skin; darker pictures are fitted as if they had it
+constexpr double least_exposure = 0.1;     // below, what is seen is noise
+constexpr int mouth_steps = 8;
 constexpr int light_steps = 6;
 
 // One size of the picture: of the eye distance on it, how much the points still weigh, how much of the picture's weight
@@ -66,8 +61,7 @@ void add_pixels(Joint& joint, std::size_t index, const PictureLevel& level, doub
   // The larger the differences, the more of them is what no coefficients explain; that is alike over whole regions, so
   // the picture counts as fewer independent points.
   const double noise = found.noise;
-  const double dimmed = std::clamp(rows.brightness / usual_brightness, 0.2, 1.0);
-  joint.pictures[index].doubt = std::clamp(std::pow(found.median / (explained * dimmed), 2), 1.0, most_doubt);
+  joint.pictures[index].doubt = std::clamp(std::pow(found.median / explained, 2), 1.0, most_doubt);
   const double trust = (least_noise / noise) * (least_noise / noise);
   const double weight = share * trust * joint.options.image_weight / found.points / (noise * noise);
   const auto width = static_cast<Eigen::Index>(rows.columns);
@@ -100,7 +94,7 @@ void add_landmarks(Joint& joint, std::size_t index, double weight, Normal& norma
     for (std::size_t k = 0; k < joint.basis.expressions; ++k)
       row[first + FacePose::size + static_cast<Eigen::Index>(k)] = from[FacePose::size + joint.basis.identities + k];
     const double error = std::abs(rows.residual_px[i]) / sigma;
-    const double w = picture.doubt * weight * (error > huber ? huber / error : 1.0) / (sigma * sigma);
+    const double w = picture.doubt * weight * (error > huber_sigmas ? huber_sigmas / error : 1.0) / (sigma * sigma);
     normal.a.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     normal.b -= row * (w * rows.residual_px[i]);
   }
@@ -136,6 +130,7 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
       const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(joint.basis.expressions));
       double gap = 0;
       for (std::size_t k = 0; k < joint.basis.expressions; ++k) gap += row[k] * picture.state.expression[k];
+      if (picture.held_gap_mm > 0 && gap >= 0) continue;
       const double sigma = picture.closed ? closed_sigma_mm : gap < 0 ? overlap_sigma_mm : joint.options.mouth_sigma_mm;
       const double wide = gap / sigma;
       const double weight =
@@ -143,6 +138,13 @@ void add_priors(const Joint& joint, bool frozen, Normal& normal) {
           (picture.closed || gap < 0 ? 1.0 : static_cast<double>(joint.gaps.size()) * (1 + wide * wide));
       normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
       normal.b.segment(expression, g.size()) -= weight * gap * g;
+    }
+    if (picture.held_gap_mm > 0) {
+      const std::vector<double> row = mean_gap_row(joint);
+      const Eigen::Map<const Vector> g(row.data(), static_cast<Eigen::Index>(row.size()));
+      const double weight = picture.doubt / (closed_sigma_mm * closed_sigma_mm);
+      normal.a.block(expression, expression, g.size(), g.size()) += weight * g * g.transpose();
+      normal.b.segment(expression, g.size()) -= weight * (gap_of(joint, m) - picture.held_gap_mm) * g;
     }
     const Eigen::Index light = expression + static_cast<Eigen::Index>(joint.basis.expressions);
     const FaceLight& now = picture.state.light;
@@ -206,49 +208,13 @@ void step(Joint& joint, const std::vector<PictureLevel>& levels, const Stage& st
   apply(normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b), joint);
 }
 
-// Robust squared distance of a picture's points to where the model has them, in sigmas.
-double point_cost(const Joint& joint, std::size_t index) {
+// What to divide a picture by so that its skin is of usual brightness. A camera's gain does this to all that is seen.
+double exposure_of(const Joint& joint, std::size_t index, Random& random) {
   const Picture& picture = joint.pictures[index];
-  LandmarkBasis basis = picture.landmarks;
-  const std::vector<Vec3f> points = posed(basis, joined(joint.identity, picture.state.expression));
-  assign_contours(points, picture.state.pose, basis);
-  const LandmarkRows rows = landmark_rows(basis, points, picture.state.pose);
-  const double sigma = joint.options.point_sigma * eye_distance_px(basis, points, picture.state.pose);
-  double cost = 0;
-  for (const double residual : rows.residual_px) {
-    const double error = std::abs(residual) / sigma;
-    cost += error > huber ? huber * (2 * error - huber) : error * error;
-  }
-  return cost;
-}
-
-// A slightly open mouth may be a closed one with lips of another colour: where closing it costs next to nothing, it is
-// closed.
-void close_mouths(const std::vector<PictureLevel>& levels, const Stage& stage, Random& random, Joint& joint) {
-  if (joint.gaps.empty()) return;
-  Joint closed = joint;
-  bool any = false;
-  std::vector<bool> is_line;
-  for (Picture& picture : closed.pictures) {
-    double gap = 0;
-    for (const std::vector<double>& row : closed.gaps)
-      for (std::size_t k = 0; k < closed.basis.expressions; ++k)
-        gap += row[k] * picture.state.expression[k] / static_cast<double>(closed.gaps.size());
-    picture.closed = gap < narrow_gap_mm;
-    is_line.push_back(gap < line_mm);
-    any = any || picture.closed;
-  }
-  if (!any) return;
-  for (int i = 0; i < closing_steps; ++i) step(closed, levels, stage, false, random);
-  // Twice what opens a mouth by its points alone: here pixels have spoken.
-  const double evidence = FitLandmarksOptions{}.mouth_evidence;
-  for (std::size_t m = 0; m < joint.pictures.size(); ++m)
-    if (closed.pictures[m].closed &&
-        (image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]) ||
-         (!is_line[m] && mouth_cost(joint, closed, m, levels[m]) > lips_seen) ||
-         point_cost(closed, m) > point_cost(joint, m) + 2 * evidence))
-      return;
-  joint = std::move(closed);
+  const PictureLevel level = make_level(*picture.image, std::min(1.0, stages[0].eyes_px / picture.eyes_px));
+  const PixelRows rows = pixel_rows(joint.basis, joint.identity, skin_albedo(joint.basis, joint.albedo), picture.state,
+                                    level, {0, 0, 0, false}, static_cast<std::size_t>(joint.options.points), random);
+  return rows.residual.empty() ? 1.0 : std::clamp(rows.brightness / usual_brightness, least_exposure, 1.0);
 }
 
 std::vector<float> floats(const std::vector<double>& values) { return {values.begin(), values.end()}; }
@@ -300,27 +266,39 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
     picture.state.light.direction = {0.0f, 0.4f, 0.9165f};
   }
   Random random(static_cast<std::uint64_t>(options.seed));
+  for (std::size_t m = 0; m < pictures.size(); ++m) joint.pictures[m].exposure = exposure_of(joint, m, random);
   std::vector<PictureLevel> levels;
   for (const Stage& stage : stages) {
     levels.clear();
     for (const Picture& picture : joint.pictures)
-      levels.push_back(make_level(*picture.image, std::min(1.0, stage.eyes_px / picture.eyes_px)));
+      levels.push_back(make_level(*picture.image, std::min(1.0, stage.eyes_px / picture.eyes_px), picture.exposure));
     if (&stage == stages)
       for (int i = 0; i < light_steps; ++i) step(joint, levels, stage, true, random);
     joint.options.points = std::llround(stage.points * static_cast<double>(options.points));
     const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
     for (std::int64_t i = 0; i < steps; ++i) step(joint, levels, stage, false, random);
   }
-  close_mouths(levels, stages[std::size(stages) - 1], random, joint);
+  settle_mouths(
+      levels,
+      [&](Joint& tried) {
+        for (int i = 0; i < mouth_steps; ++i) step(tried, levels, stages[std::size(stages) - 1], false, random);
+      },
+      joint);
   for (std::size_t m = 0; m < fits.size(); ++m) {
     FaceFit& fit = fits[m];
-    const PictureState& state = joint.pictures[m].state;
+    PictureState& state = joint.pictures[m].state;
+    const double exposure = joint.pictures[m].exposure;
+    for (std::size_t c = 0; c < 3; ++c) {
+      state.light.gain[c] = static_cast<float>(exposure * state.light.gain[c]);
+      state.light.offset[c] = static_cast<float>(exposure * state.light.offset[c]);
+    }
     fit.identity = floats(joint.identity);
     fit.albedo = floats(joint.albedo);
     fit.expression = floats(state.expression);
     fit.camera = camera_of(state.pose);
     fit.light = state.light;
-    report(joint, m, levels[m], fit);
+    report(joint, m, make_level(*pictures[m], levels[m].factor),
+           make_level(*pictures[m], std::min(1.0, stages[1].eyes_px / joint.pictures[m].eyes_px)), fit);
   }
   return fits;
 }

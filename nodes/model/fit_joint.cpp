@@ -5,6 +5,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/model/fit_landmarks.h"
+#include "nodes/model/likeness.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/robust_weights.h"
 
@@ -12,8 +13,40 @@ namespace face::model {
 namespace {
 
 constexpr double extreme_share = 0.45;
+// Of likeness. Walls come to 0.14 at most, points of another picture or beside the face mostly; right ones to 0.25
+// under much hair, to 0.37 and more otherwise.
+constexpr double least_likeness = 0.15;
 
 }  // namespace
+
+std::vector<double> mean_gap_row(const Joint& joint) {
+  std::vector<double> mean(joint.basis.expressions, 0.0);
+  for (const std::vector<double>& row : joint.gaps)
+    for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += row[k] / static_cast<double>(joint.gaps.size());
+  return mean;
+}
+
+double gap_of(const Joint& joint, std::size_t index) {
+  const std::vector<double> mean = mean_gap_row(joint);
+  double gap = 0;
+  for (std::size_t k = 0; k < mean.size(); ++k) gap += mean[k] * joint.pictures[index].state.expression[k];
+  return gap;
+}
+
+double point_cost(const Joint& joint, std::size_t index) {
+  const Picture& picture = joint.pictures[index];
+  LandmarkBasis basis = picture.landmarks;
+  const std::vector<Vec3f> points = posed(basis, joined(joint.identity, picture.state.expression));
+  assign_contours(points, picture.state.pose, basis);
+  const LandmarkRows rows = landmark_rows(basis, points, picture.state.pose);
+  const double sigma = joint.options.point_sigma * eye_distance_px(basis, points, picture.state.pose);
+  double cost = 0;
+  for (const double residual : rows.residual_px) {
+    const double error = std::abs(residual) / sigma;
+    cost += error > huber_sigmas ? huber_sigmas * (2 * error - huber_sigmas) : error * error;
+  }
+  return cost;
+}
 
 double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level) {
   Random random(static_cast<std::uint64_t>(joint.options.seed), 78);
@@ -27,7 +60,7 @@ double image_cost(const Joint& joint, std::size_t index, const PictureLevel& lev
   return rows.residual.empty() ? 0 : sum / static_cast<double>(rows.residual.size());
 }
 
-void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit) {
+void report(Joint& joint, std::size_t index, const PictureLevel& level, const PictureLevel& small, FaceFit& fit) {
   Picture& picture = joint.pictures[index];
   const std::vector<Vec3f> points = posed(picture.landmarks, joined(joint.identity, picture.state.expression));
   assign_contours(points, picture.state.pose, picture.landmarks);
@@ -67,6 +100,8 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit&
     fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
                           " % of the eye distance off, expected at most ", 100 * limits.max_nme,
                           " %: check their names and places");
+  else if (likeness(joint, index, small) < least_likeness)
+    fit.problem = "the edges of a face are not where the points say: is there a face at the points?";
   fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
 }
 

@@ -20,9 +20,13 @@ struct Picture {
   std::array<double, 7> start_pose{};
   double log_focal = 7;
   double eyes_px = 100;
+  double exposure = 1;  // what the picture is divided by: a dark one is fitted as if its skin were of usual brightness
   double doubt = 1;     // weight of points and priors over what they have where the model explains the picture
   bool closed = false;  // the mouth is held closed
+  double held_gap_mm = 0;  // if more than 0: the mouth is held open by this on average
 };
+
+inline constexpr double huber_sigmas = 2.5;  // from which an error of a point counts linearly only
 
 // All pictures, and what they share.
 struct Joint {
@@ -44,10 +48,20 @@ inline std::vector<double> joined(const std::vector<double>& a, const std::vecto
   return result;
 }
 
+// How far the mouth of a picture is open: mean over the lip pairs, mm.
+double gap_of(const Joint& joint, std::size_t index);
+
+// What a coefficient of expression adds to that.
+std::vector<double> mean_gap_row(const Joint& joint);
+
+// Robust squared distance of a picture's points to where the model has them, in sigmas.
+double point_cost(const Joint& joint, std::size_t index);
+
 // Robust difference of a picture and the model (Geman and McClure's cost, mean over fixed random points).
 double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level);
 
-// What the fit of a picture is worth, and what is wrong with it.
-void report(Joint& joint, std::size_t index, const PictureLevel& level, FaceFit& fit);
+// What the fit of a picture is worth, and what is wrong with it. small: the picture where the eyes are some 55 pixels
+// apart.
+void report(Joint& joint, std::size_t index, const PictureLevel& level, const PictureLevel& small, FaceFit& fit);
 
 }  // namespace face::model

@@ -53,14 +53,14 @@ Vec3 vec(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-PictureLevel make_level(const Image& picture, double factor) {
+PictureLevel make_level(const Image& picture, double factor, double exposure) {
   const Image rgb = render::rgb_image(picture);
   cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data())), small;
   PictureLevel level;
   level.width = std::max(8, static_cast<int>(std::lround(rgb.width * factor)));
   level.height = std::max(8, static_cast<int>(std::lround(rgb.height * factor)));
   level.factor = static_cast<double>(level.width) / rgb.width;
-  source.convertTo(small, CV_32FC3, 1.0 / 255.0);
+  source.convertTo(small, CV_32FC3, 1.0 / (255.0 * exposure));
   cv::resize(small, small, {level.width, level.height}, 0, 0, cv::INTER_AREA);
   cv::GaussianBlur(small, small, {0, 0}, blur_px);
   level.samples.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));

@@ -13,15 +13,15 @@
 
 namespace face::model {
 
-// A picture at one size with its gradient, as numbers in [0, 1].
+// A picture at one size with its gradient, as numbers in [0, 1] over its exposure.
 struct PictureLevel {
   int width = 0, height = 0;
   double factor = 1;                          // of its size over the picture's
   std::vector<std::array<float, 9>> samples;  // per pixel: R G B, then d/dx of them, then d/dy
 };
 
-// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two.
-PictureLevel make_level(const Image& picture, double factor);
+// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are divided by.
+PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
 
 // Of what one picture depends on beside identity and albedo.
 struct PictureState {

@@ -17,7 +17,9 @@ struct NeutraliseOptions {
 // weights. rig: of the model's vertices.
 // A picture shows light times albedo, and a fit hardly tells a darker skin from a weaker light: of the difference
 // between the person's brightness and the mean person's, light_share is taken to be the light's (0 = none, the map's
-// colours as they are). Above the brows, at temples and ears and below the chin hair and collars may hide the skin:
+// colours as they are). Colours, not brightness, go towards the fitted components' the more, the less of them the
+// picture tells: of a grey or very dark one the map's are what is read wrong, many times over. Above the brows, at
+// temples and ears, at the sides of cheeks without a beard and below the chin hair and collars may hide the skin:
 // where the map differs from the mean person's skin in the tone of the cheeks, by more than hair_contrast of the
 // logarithm, that skin takes over (0 = nowhere). Scalp, ears and neck (parts named "head") take the tone of the cheeks.
 Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo,

@@ -41,6 +41,26 @@ Shot shoot(std::int64_t person_seed, double yaw_deg) {
   return shot;
 }
 
+// Mean distance of the 68 points of two fits, from their middle; pairs: of these alone, each with its mirror image.
+double distance_mm(const FaceFit& a, const FaceFit& b, const std::vector<std::size_t>& pairs) {
+  const std::vector<Vec3f> from = pose_model(test::head_model(), a.identity, a.expression);
+  const std::vector<Vec3f> to = pose_model(test::head_model(), b.identity, b.expression);
+  std::vector<Vec3f> apart;
+  Vec3f mean{};
+  for (std::size_t i = 0; i < (pairs.empty() ? 68 : pairs.size()); ++i) {
+    const Vec3f& p = from[test::head().landmarks68[pairs.empty() ? i : pairs[i]]];
+    Vec3f q = to[test::head().landmarks68[pairs.empty() ? i : pairs[i ^ 1]]];
+    if (!pairs.empty()) q[0] = -q[0];
+    apart.push_back({p[0] - q[0], p[1] - q[1], p[2] - q[2]});
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += apart.back()[k];
+  }
+  double sum = 0;
+  const auto count = static_cast<float>(apart.size());
+  for (const Vec3f& d : apart)
+    sum += std::hypot(d[0] - mean[0] / count, d[1] - mean[1] / count, d[2] - mean[2] / count);
+  return sum / static_cast<double>(apart.size());
+}
+
 TEST(FitImage, FindsPoseAndAClosedMouthOfAPersonOutsideTheModel) {
   for (const double yaw_deg : {0.0, 25.0}) {
     const Shot shot = shoot(31, yaw_deg);
@@ -71,6 +91,49 @@ TEST(FitImage, DoesNotBendTheShapeToExplainWhatNoComponentExplains) {
   EXPECT_LT(std::abs(fit.lip_gap_mm), 1.5);
 }
 
+// A camera's gain is no property of the face.
+TEST(FitImage, FindsTheSameFaceInADarkerPicture) {
+  const Shot shot = shoot(33, -15);
+  Image dark = shot.picture;
+  for (std::uint8_t& value : dark.pixels) value = static_cast<std::uint8_t>(std::lround(0.4 * value));
+  const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points);
+  const FaceFit b = fit_image(test::head_model(), dark, shot.points);
+  EXPECT_TRUE(b.converged) << b.problem;
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(b.light.gain[c] / a.light.gain[c], 0.4, 0.04);
+  // What is left is the rounding of the dark one to 8 bits.
+  EXPECT_LT(distance_mm(a, b, {}), 0.5);
+  EXPECT_NEAR(a.lip_gap_mm, b.lip_gap_mm, 0.3);
+}
+
+// The same points under the names of the other side.
+Landmarks mirrored(const Landmarks& landmarks, int width_px) {
+  Landmarks result = landmarks;
+  for (Landmark& point : result.points) {
+    point.x_px = width_px - 1 - point.x_px;
+    if (point.name.ends_with("_r") || point.name.ends_with("_l"))
+      point.name.back() = point.name.back() == 'r' ? 'l' : 'r';
+  }
+  return result;
+}
+
+TEST(FitImage, OfAMirroredPictureIsTheMirroredFit) {
+  const Shot shot = shoot(33, -15);
+  Image picture = shot.picture;
+  for (int y = 0; y < 480; ++y)
+    for (int x = 0; x < 480; ++x)
+      for (int c = 0; c < 3; ++c)
+        picture.pixels[static_cast<std::size_t>((y * 480 + x) * 3 + c)] =
+            shot.picture.pixels[static_cast<std::size_t>((y * 480 + 479 - x) * 3 + c)];
+  const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points);
+  const FaceFit b = fit_image(test::head_model(), picture, mirrored(shot.points, 480));
+  EXPECT_TRUE(b.converged) << b.problem;
+  // Of the head's z axis in the camera, x turns round. Other pixels are drawn by lot, so a little differs.
+  for (const std::size_t i : {2u, 5u, 8u})
+    EXPECT_NEAR(a.camera.cam_from_world[i], (i == 2 ? -1 : 1) * b.camera.cam_from_world[i], 0.03);
+  EXPECT_LT(distance_mm(a, b, {36, 45, 39, 42, 30, 30, 48, 54, 8, 8, 31, 35, 19, 24}), 1.5);
+  EXPECT_NEAR(a.lip_gap_mm, b.lip_gap_mm, 0.5);
+}
+
 TEST(FitImage, IsTheSameTwice) {
   const Shot shot = shoot(33, -15);
   const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points, {.steps = 3});
@@ -89,6 +152,19 @@ TEST(FitImages, SharesIdentityAndAlbedoAmongPicturesOfOnePerson) {
   EXPECT_EQ(fits[0].albedo, fits[1].albedo);
   EXPECT_LT(test::turn_error_deg(fits[1].camera, side.scene), 6.0);
   EXPECT_LT(test::turn_error_deg(fits[0].camera, front.scene), 6.0);
+}
+
+// Light and skin explain a wall without any error.
+TEST(FitImage, DoesNotSeeAFaceOnAWall) {
+  const Shot shot = shoot(35, 0);
+  Image wall = test::blank(480, 480);
+  for (int y = 0; y < 480; ++y)
+    for (int x = 0; x < 480; ++x)
+      for (int c = 0; c < 3; ++c)
+        wall.pixels[static_cast<std::size_t>((y * 480 + x) * 3 + c)] = static_cast<std::uint8_t>(80 + x / 5 + 10 * c);
+  const FaceFit fit = fit_image(test::head_model(), wall, shot.points);
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.problem, "the edges of a face are not where the points say: is there a face at the points?");
 }
 
 TEST(FitImage, DoesNotSeeAFaceInADarkPicture) {

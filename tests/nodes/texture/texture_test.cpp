@@ -7,6 +7,7 @@
 #include "nodes/base/pose.h"
 #include "nodes/model/face_pose.h"
 #include "nodes/model/pose_model.h"
+#include "nodes/model/skin_atlas.h"
 #include "nodes/model/track_video.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
@@ -153,6 +154,75 @@ TEST(Neutralise, TakesTheExpressionOut) {
   const Rig person = neutralise(test::head_model(), test::head(), fit, striped_map());
   EXPECT_EQ(person.neutral.points_mm, model::pose_model(test::head_model(), fit.identity, {}));
   EXPECT_EQ(person.shapes.size(), test::head().shapes.size());
+}
+
+// The mean head's own colours, each multiplied by what a function of its place on the head says.
+template <class Tint>
+AlbedoMap tinted_map(Tint tint) {
+  const MorphableModel& model = test::head_model();
+  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
+  AlbedoMap map;
+  map.width = map.height = 512;
+  map.albedo.assign(512 * 512, Vec3f{0, 0, 0});
+  map.weight.assign(512 * 512, 1.0f);
+  const model::TexelMap texels = model::map_texels(atlas, 512, 512);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 512; ++x) {
+      const std::size_t texel = texels.raster.index(x, y);
+      if (texels.raster.triangles[texel] < 0) continue;
+      const auto& triangle = atlas.triangles[static_cast<std::size_t>(texels.raster.triangles[texel])];
+      const Vec3f b = texels.weights_at(atlas, x, y);
+      Vec3f at{}, own{};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+          at[k] += b[i] * model.mean.points_mm[triangle[i]][k];
+          own[k] += b[i] * model.mean_albedo[triangle[i]][k];
+        }
+      const Vec3f share = tint(at);
+      for (std::size_t c = 0; c < 3; ++c) map.albedo[texel][c] = share[c] * own[c];
+    }
+  return map;
+}
+
+// The person's colour at a point of Multi-PIE's 68.
+Vec3f colour_at(const Rig& person, std::size_t point) { return person.neutral.colors_srgb[person.landmarks68[point]]; }
+
+TEST(Neutralise, DoesNotBelieveTheColoursOfAGreyPicture) {
+  FaceFit fit = true_fit(0);
+  const AlbedoMap green = tinted_map([](const Vec3f&) { return Vec3f{0.6f, 1.5f, 0.6f}; });
+  const AlbedoMap plain = tinted_map([](const Vec3f&) { return Vec3f{1, 1, 1}; });
+  const auto greener = [&](const FaceFit& of) {
+    const Vec3f a = colour_at(neutralise(test::head_model(), test::head(), of, green), 30);
+    const Vec3f b = colour_at(neutralise(test::head_model(), test::head(), of, plain), 30);
+    return (a[1] / a[0]) / (b[1] / b[0]);
+  };
+  EXPECT_GT(greener(fit), 1.3f);  // in colour the picture is believed
+  fit.light.contrast = 0.03f;
+  EXPECT_NEAR(greener(fit), 1.0f, 0.05f);
+  fit.light.contrast = 0.95f;
+  fit.light.gain = {0.02f, 0.02f, 0.02f};  // all but black
+  EXPECT_NEAR(greener(fit), 1.0f, 0.05f);
+}
+
+TEST(Neutralise, TakesHairOffTheSidesOfCheeksButLeavesABeard) {
+  const FaceFit fit = true_fit(0);
+  const std::vector<Vec3f>& points = test::head_model().mean.points_mm;
+  const auto mark = [&](std::size_t i) { return points[test::head().landmarks68[i]]; };
+  const float side = mark(3)[0] + 6, chin = mark(57)[1] - 4;
+  const auto hair = [&](const Vec3f& p) {
+    const float share = std::abs(p[0]) > std::abs(side) ? 0.15f : 1.0f;
+    return Vec3f{share, share, share};
+  };
+  const auto beard = [&](const Vec3f& p) {
+    const float share = std::abs(p[0]) > std::abs(side) || p[1] < chin ? 0.15f : 1.0f;
+    return Vec3f{share, share, share};
+  };
+  const auto cheek = [&](const AlbedoMap& map) {
+    return colour_at(neutralise(test::head_model(), test::head(), fit, map), 3)[1];
+  };
+  const float bare = cheek(tinted_map([](const Vec3f&) { return Vec3f{1, 1, 1}; }));
+  EXPECT_GT(cheek(tinted_map(hair)), 0.8f * bare);
+  EXPECT_LT(cheek(tinted_map(beard)), 0.6f * bare);
 }
 
 TEST(ContinueBackground, ReflectsTheStripeAtTheContour) {
