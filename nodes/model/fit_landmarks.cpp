@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t least_points = 6;   // below, not even the pose is determined well
 constexpr double huber = 2.5;             // sigmas from which an error counts linearly only
+constexpr double outside_share = 0.25;    // of the points, up to which some may lie outside the picture
 constexpr double overlap_sigma_mm = 0.3;  // of lips that run into each other
 constexpr double closed_sigma_mm = 0.1;   // of a mouth that is held closed
 constexpr double start_yaws_deg[] = {0, -35, 35};
@@ -242,6 +243,15 @@ FaceFit fit_landmarks(const MorphableModel& model, const Landmarks& landmarks, c
   if (fixed < least_points) {
     fit.problem = message("found ", fixed, " points besides those on the outline, expected at least ", least_points,
                           ": add corners of eyes and mouth, nose tip, chin");
+    return fit;
+  }
+  std::vector<std::string> outside;
+  for (const LandmarkBasis::Point& point : basis.points)
+    if (!(point.x_px > -1 && point.y_px > -1 && point.x_px < picture.width && point.y_px < picture.height))
+      outside.push_back(point.name);
+  if (outside.size() > outside_share * static_cast<double>(basis.points.size())) {
+    fit.problem = message("the picture is ", picture.width, " x ", picture.height, " pixels, but outside of it are ",
+                          list_of(outside), ": use the points of this picture, and one that shows the whole face");
     return fit;
   }
   const Vec3f centre = turning_point(model);

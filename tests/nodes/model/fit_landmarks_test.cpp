@@ -74,6 +74,16 @@ TEST(FitLandmarks, SaysThatTooFewPointsAreTooFew) {
             "tip, chin");
 }
 
+TEST(FitLandmarks, NamesPointsThatLieOutsideThePicture) {
+  const Landmarks points = test::points_of(test::make_scene(0), test::head().neutral.points_mm, 0);
+  const FaceFit fit = fit_landmarks(test::head_model(), points, test::blank(240, 480));  // half of the picture
+  EXPECT_FALSE(fit.converged);
+  EXPECT_EQ(fit.problem,
+            "the picture is 240 x 480 pixels, but outside of it are eye_inner_l, eye_outer_l, nose_wing_l, "
+            "mouth_corner_l, brow_outer_l, brow_inner_l: use the points of this picture, and one that shows the whole "
+            "face");
+}
+
 TEST(FitLandmarks, NamesPointsThatContradictTheOthers) {
   Landmarks points = test::points_of(test::make_scene(0), test::head().neutral.points_mm, 0);
   std::swap(points.points[4].x_px, points.points[0].x_px);
