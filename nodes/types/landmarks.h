@@ -10,7 +10,7 @@ struct Landmark {
   std::string name;
   double x_px = 0;
   double y_px = 0;
-  bool valid = true;  // false where the tracker lost it: x, y are then its last good place
+  bool valid = true;  // false where it was lost: x, y are then a guess, moved with the rest
 };
 
 // The points of one frame.
