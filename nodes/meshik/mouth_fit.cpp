@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
-#include "nodes/base/mouth.h"
 #include "nodes/types/arkit.h"
 
 namespace face::meshik {
@@ -100,15 +99,10 @@ MouthFit::MouthFit(const Rig& rig, const std::vector<LandmarkVertex>& places, co
   check(!used_.empty(), "no jaw or mouth shape of the rig moves a landmark");
   const MatrixXd expected = expectation(rig, rows_, used_, visemes, prior);
   expected_.assign(expected.data(), expected.data() + expected.size());
-  together_.assign(expected_.size(), 0);
-  for (const std::vector<double>& gap : lip_gap_rows(rig))
-    for (std::size_t i = 0; i < used_.size(); ++i)
-      for (std::size_t k = 0; k < used_.size(); ++k) together_[i * used_.size() + k] += gap[used_[i]] * gap[used_[k]];
 }
 
 std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::vector<double>& least,
-                                      const std::vector<bool>& seen, double contact) const {
-  constexpr double sure = 100;  // squares of a landmark's error by those of lips that meet
+                                      const std::vector<bool>& seen) const {
   const auto count = static_cast<Eigen::Index>(used_.size()), numbers = static_cast<Eigen::Index>(wanted.size());
   MatrixXd basis(numbers, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -117,8 +111,7 @@ std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::ve
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (!seen[k]) counted.middleRows(static_cast<Eigen::Index>(2 * k), 2).setZero();
   Eigen::Map<VectorXd> left(wanted.data(), numbers);
-  const MatrixXd hessian = Eigen::Map<const MatrixXd>(expected_.data(), count, count) + counted.transpose() * basis +
-                           sure * contact * Eigen::Map<const MatrixXd>(together_.data(), count, count);
+  const MatrixXd hessian = Eigen::Map<const MatrixXd>(expected_.data(), count, count) + counted.transpose() * basis;
   VectorXd slope = counted.transpose() * left, weights = VectorXd::Zero(count);
   constexpr int most_sweeps = 20000;
   double largest = 1;

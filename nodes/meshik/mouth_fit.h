@@ -30,15 +30,13 @@ class MouthFit {
 
   // The weights of the rig's shapes, each from its `least` (empty = 0) to 1, whose landmarks are nearest to `wanted`
   // (least squares with the prior, coordinate by coordinate; Hildreth, A Quadratic Programming Procedure, 1957). What
-  // is left of `wanted` stays in it. seen: landmarks that count, empty = all. contact: how sure it is that the lips
-  // meet, 0 to 1: the pairs of the rig's inner lips are then as near to each other as at rest.
+  // is left of `wanted` stays in it. seen: landmarks that count, empty = all.
   std::vector<double> weights(std::vector<double>& wanted, const std::vector<double>& least = {},
-                              const std::vector<bool>& seen = {}, double contact = 0) const;
+                              const std::vector<bool>& seen = {}) const;
 
  private:
   std::vector<std::vector<double>> rows_;  // per shape of the rig
   std::vector<std::size_t> used_;
-  std::vector<double> together_;  // used x used: sum over pairs of the inner lips of the products of what parts them
   std::vector<double> expected_;  // used x used: inverse covariance in squares of the landmarks' error
 };
 

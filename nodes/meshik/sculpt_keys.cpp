@@ -2,8 +2,6 @@
 #include "nodes/meshik/sculpt_keys.h"
 
 #include <cmath>
-#include <map>
-#include <string>
 
 #include "nodes/base/check.h"
 #include "nodes/meshik/landmark_vertices.h"
@@ -11,24 +9,14 @@
 
 namespace face::meshik {
 SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const Landmarks& neutral,
-                             const Visemes* visemes, const engine::Seq<double>* contacts,
-                             engine::SeqWriter<Mesh>& key_meshes, engine::SeqWriter<Weights>& rig_weights,
-                             const SculptKeysOptions& options) {
+                             const Visemes* visemes, engine::SeqWriter<Mesh>& key_meshes,
+                             engine::SeqWriter<Weights>& rig_weights, const SculptKeysOptions& options) {
   const std::vector<LandmarkVertex> places = landmark_vertices(rig, neutral);
   const MouthFit fit(rig, places, visemes,
                      {options.restraint, options.variety, options.own_deviation, options.landmark_error_mm});
   SculptKeysResult result;
   result.reference = rig.neutral;
   result.mm_per_px = landmark_scale_mm(rig, neutral, places);
-  std::map<std::string, double> contact;
-  for (std::size_t t = 0; contacts && t < contacts->size(); ++t) contact[contacts->id(t)] = *contacts->at(t);
-  const auto contact_of = [&](const std::string& frame) {
-    if (!contacts) return 0.0;
-    const auto at = contact.find(frame);
-    check(at != contact.end(), "contacts has no frame ", frame, ", which a key shape is of");
-    check(at->second >= 0 && at->second <= 1, "the contact of frame ", frame, " is ", at->second, ", expected 0 to 1");
-    return at->second;
-  };
   double squares = 0;
   for (const KeyShape& key : key_shapes.shapes) {
     check(key.landmarks.points.size() == neutral.points.size(), "key shape ", key.frame, " has ",
@@ -41,7 +29,7 @@ SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const 
       wanted.push_back(result.mm_per_px * (here.x_px - rest.x_px));
       wanted.push_back(-result.mm_per_px * (here.y_px - rest.y_px));
     }
-    const std::vector<double> weights = fit.weights(wanted, {}, {}, contact_of(key.frame));
+    const std::vector<double> weights = fit.weights(wanted);
     for (const double left : wanted) squares += left * left / static_cast<double>(places.size());
     Mesh mesh = rig.neutral;
     for (std::size_t s = 0; s < weights.size(); ++s) {

@@ -32,12 +32,9 @@ struct SculptKeysResult {
 // moments about 0, are the covariance of a Gaussian about the rest, of which and the landmarks the most likely weights
 // are taken. Visemes whose lips meet count with mouthClose as large as jawOpen. The scale of the pictures is that at
 // which the neutral landmarks fit the rig's best. Meshes of an artist take the place of `key_meshes`. neutral: the
-// speaker's landmarks at rest, in the order of the key shapes'. contacts: how sure it is that the lips meet, 0 to 1, in
-// the frames of the performance (null = nowhere; track.find_contact): a key shape whose frame shows it is shut on the
-// rig, its lips as thick as landmarks have them.
+// speaker's landmarks at rest, in the order of the key shapes'.
 SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const Landmarks& neutral,
-                             const Visemes* visemes, const engine::Seq<double>* contacts,
-                             engine::SeqWriter<Mesh>& key_meshes, engine::SeqWriter<Weights>& rig_weights,
-                             const SculptKeysOptions& options = {});
+                             const Visemes* visemes, engine::SeqWriter<Mesh>& key_meshes,
+                             engine::SeqWriter<Weights>& rig_weights, const SculptKeysOptions& options = {});
 
 }  // namespace face::meshik

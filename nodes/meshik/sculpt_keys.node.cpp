@@ -5,11 +5,10 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.sculpt_keys", &sculpt_keys, version{6},
+NODE("meshik.sculpt_keys", &sculpt_keys, version{5},
      doc{"Makes a mesh for every key shape of a speaker from a rig, without an artist."}, input{"rig", "The head"},
      input{"key_shapes", "The speaker's key shapes"}, input{"neutral", "The speaker's landmarks at rest"},
      input{"visemes", "Which weights go together in speech; without it every shape is as likely as another"},
-     input{"contacts", "How sure it is that the lips meet, 0 to 1, in every frame; without it, nowhere"},
      param("restraint", &SculptKeysOptions::restraint, range{1e-9, 10}, unit{"1"},
            "Without visemes: pulls weights to 0, as a share of what an average shape moves",
            inert{"counts where there are no visemes"}),

@@ -70,7 +70,6 @@ const Registered meshik({
             {"meshik.transfer_landmarks.key_shapes", speaker_keys},
             {"meshik.sculpt_keys.key_shapes", speaker_keys},
             {"meshik.sculpt_keys.neutral", speaker_points},
-            {"meshik.sculpt_keys.contacts", contact},
             {"meshik.transfer_landmarks.contact", contact},
             {"meshik.solve.start", few_weights},
             {"meshik.reconstruct_matrix.reference", matrices(4, 3)},

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "nodes/base/mouth.h"
 #include "nodes/meshik/blend_linear.h"
 #include "nodes/meshik/transfer_landmarks.h"
 #include "tests/nodes/meshik/landmark_rig.h"
@@ -54,11 +53,11 @@ struct Sculpted {
   std::vector<Weights> weights;
 };
 Sculpted sculpt(const Rig& rig, const KeyShapes& keys, const Landmarks& neutral, const SculptKeysOptions& options = {},
-                const Visemes* visemes = nullptr, const engine::Seq<double>* contacts = nullptr) {
+                const Visemes* visemes = nullptr) {
   Sculpted sculpted;
   engine::SeqWriter<Mesh> meshes([&](const std::string&, Mesh mesh) { sculpted.meshes.push_back(std::move(mesh)); });
   engine::SeqWriter<Weights> weights([&](const std::string&, Weights w) { sculpted.weights.push_back(std::move(w)); });
-  sculpted.result = sculpt_keys(rig, keys, neutral, visemes, contacts, meshes, weights, options);
+  sculpted.result = sculpt_keys(rig, keys, neutral, visemes, meshes, weights, options);
   return sculpted;
 }
 
@@ -165,7 +164,7 @@ TEST(TransferLandmarks, BlendsTheLandmarksOfTheKeyMeshes) {
                     "there are 1 weights, expected 2, one per key mesh");
 }
 
-// Lips that meet and are thicker than at rest: what is thicker is no gap.
+// Inner lips that are 0.2 mm apart at rest, and a shape that brings them together.
 Rig closing_rig() {
   Rig rig = speaking_rig();
   rig.neutral.points_mm[62] = {0, 0.2f, 0};
@@ -176,34 +175,6 @@ Rig closing_rig() {
   Shape close{"mouthClose", {66}, {{0, 15, 0}}};
   rig.shapes.push_back(close);
   return rig;
-}
-
-// The same with the middle of the inner lips, which the picture shows open as far as the outer ones.
-Landmarks seen_inner(const Rig& rig, float open) {
-  Landmarks landmarks = seen(rig, open, 0);
-  landmarks.points.push_back({"inner_lip_2", 180, 200 - 0.2 / 0.5, true});
-  landmarks.points.push_back({"inner_lip_6", 180, 200 + static_cast<double>(open) * 15 / 0.5, true});
-  return landmarks;
-}
-
-TEST(SculptKeys, LipsThatTheFrameShowsToMeetAreShut) {
-  const Rig rig = closing_rig();
-  const KeyShapes keys{{{"0", 1, seen_inner(rig, 0.1f)}, {"1", 1, seen_inner(rig, 0.1f)}}};
-  const engine::Seq<double> contacts({1.0, 0.0});
-  const Sculpted found = sculpt(rig, keys, seen_inner(rig, 0), {1e-4}, nullptr, &contacts);
-  EXPECT_NEAR(lip_gap_mm(rig, found.meshes[0].points_mm), 0, 0.05);
-  EXPECT_NEAR(lip_gap_mm(rig, found.meshes[1].points_mm), 1.5, 0.1);
-  EXPECT_NEAR(found.meshes[0].points_mm[57][1], found.meshes[1].points_mm[57][1], 0.1);  // as thick
-}
-
-TEST(SculptKeys, RejectContactsOfOtherFrames) {
-  const Rig rig = closing_rig();
-  const KeyShapes keys{{{"7", 1, seen(rig, 0.1f, 0)}}};
-  const engine::Seq<double> contacts({1.0, 0.0}), odd({1.5}, {"7"});
-  EXPECT_THROW_TEXT(sculpt(rig, keys, seen(rig, 0, 0), {}, nullptr, &contacts),
-                    "contacts has no frame 7, which a key shape is of");
-  EXPECT_THROW_TEXT(sculpt(rig, keys, seen(rig, 0, 0), {}, nullptr, &odd),
-                    "the contact of frame 7 is 1.5, expected 0 to 1");
 }
 
 TEST(TransferLandmarks, BringsLipsThatMeetTogether) {
