@@ -16,7 +16,7 @@ constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over th
 // Photographs of closed mouths come out at 0.10 to 0.45, of open ones at 0.58 and more.
 constexpr double lips_seen = 0.5;               // mouth_cost up to which what is between the lips is lips
 constexpr double tried_gaps_mm[] = {4, 8, 12};  // of a closed mouth that is tried open
-constexpr double wider_share = 0.998;           // of the cost of the narrower one, to be believed
+constexpr double wider_share = 0.98;            // of the cost of the narrower one, to be believed
 
 // Twice what opens a mouth by its points alone: here pixels have spoken.
 double points_allow() { return 2 * FitLandmarksOptions{}.mouth_evidence; }
