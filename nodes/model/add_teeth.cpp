@@ -9,7 +9,7 @@
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/match_cylinder.h"
 #include "nodes/model/pick_shape.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 #include "nodes/model/skin_modes.h"
 
 namespace face::model {

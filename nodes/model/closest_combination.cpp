@@ -9,7 +9,7 @@
 #include "nodes/base/check.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/region_pca.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 
 namespace face::model {
 namespace {

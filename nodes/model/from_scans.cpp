@@ -10,7 +10,7 @@
 #include "nodes/base/srgb.h"
 #include "nodes/model/compare_spaces.h"
 #include "nodes/model/head_points.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 #include "nodes/render/triangulate.h"
 
 namespace face::model {

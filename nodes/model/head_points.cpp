@@ -5,7 +5,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/model/add_teeth.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 
 namespace face::model {
 

@@ -8,7 +8,7 @@
 #include "nodes/base/check.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/head_points.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 #include "nodes/render/triangulate.h"
 
 namespace face::model {

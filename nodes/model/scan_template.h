@@ -25,24 +25,10 @@ struct ScanTemplateOptions {
 // given) and, where the reference's mouth is open, inner_lips; what lies between the lips (teeth, tongue, throat) is
 // cut out along the inner lips' points, moved to where colour and radius change; vertices beside it move along their
 // column to where it begins. (Blanz, Basso, Poggio, Vetter: Reanimating Faces in Images and Video, 2003, section 2.2.)
-// A mouth whose inner lips are less than three rows apart is
-// closed and stays whole. Small holes are filled from their rims. Pixels of a bathing cap are left out: down every
-// column as long as the colour's hue differs from the forehead's. landmarks: all 68 of Multi-PIE by number ("0" or "00"
-// to "67"), pixels of the scan's picture.
+// A mouth whose inner lips are less than three rows apart is closed and stays whole. Small holes are filled from their
+// rims. Pixels of a bathing cap are left out: down every column as long as the colour's hue differs from the
+// forehead's. landmarks: all 68 of Multi-PIE by number ("0" or "00" to "67"), pixels of the scan's picture.
 MorphableModel scan_template(const CylinderScan& reference, const Landmarks& landmarks,
                              const ScanTemplateOptions& options = {});
-
-// The hole of the mouth in a template: its vertices in order, once around; empty where there is none.
-std::vector<std::uint32_t> mouth_loop(const MorphableModel& surface);
-
-// The ends of that hole, upper and lower, in every column of the reference's picture, from the head's right to its
-// left.
-std::vector<LipPair> lip_pairs(const MorphableModel& surface, const std::vector<std::uint32_t>& loop);
-
-// Throws where polygons, parts, landmarks, uvs or colours of a surface do not belong together, or are not finite.
-void check_surface(const MorphableModel& surface);
-
-// The number of leading vertices that are skin: teeth and the inside of the mouth come after them. Checks the surface.
-std::size_t skin_count(const MorphableModel& surface);
 
 }  // namespace face::model

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
-#include "nodes/model/scan_template.h"
+#include "nodes/model/scan_surface.h"
 
 namespace face::model {
 

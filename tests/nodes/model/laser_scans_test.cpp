@@ -19,6 +19,7 @@
 #include "nodes/model/pick_shape.h"
 #include "nodes/model/region_pca.h"
 #include "nodes/model/resample_shape.h"
+#include "nodes/model/scan_surface.h"
 #include "nodes/model/scanned_rig.h"
 #include "tests/nodes/model/scans_material.h"
 #include "tests/support/expect_throw_text.h"

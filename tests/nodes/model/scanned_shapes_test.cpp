@@ -6,6 +6,7 @@
 
 #include "nodes/model/head_points.h"
 #include "nodes/model/pick_shape.h"
+#include "nodes/model/scan_surface.h"
 #include "nodes/model/shape_rig.h"
 #include "nodes/model/stretch_space.h"
 #include "tests/nodes/model/scans_material.h"
