@@ -141,9 +141,8 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
   const auto give_up = [&] {
     if (there.empty())
       progress.warn(
-          "the head's motion is not known: the reference has no markers, expected painted dots of about the radius "
-          "that "
-          "align.find_markers is told; left out");
+          "the head's motion is not known: the reference has no markers, expected painted dots of about the "
+          "radius that align.find_markers is told; left out");
     else
       progress.warn(message("the head's motion is not known: of ", rigid.size(), " markers that the jaw does not move ",
                             from.size(), " are measured, and no three of them agree with the reference; left out"));

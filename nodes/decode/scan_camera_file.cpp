@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/scan_camera_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
-#include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/edit_distance.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/json_file.h"
 
@@ -48,30 +47,13 @@ double length_unit_of(const Json& json, const std::string& title) {
   fail(title, " at /length_unit: found ", describe_json(json["length_unit"]), R"(, expected "mm", "cm" or "m")");
 }
 
-// Letters to put in, take out or change (Levenshtein, Binary Codes Capable of Correcting Deletions, Insertions, and
-// Reversals, 1966).
-std::size_t letters_apart(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = corner + (a[i - 1] == b[j - 1] ? 0 : 1);
-      corner = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row[b.size()];
-}
-
 // A key that is one or two letters beside one that counts would be left out without a word.
 void check_keys(const Json& json, const std::string& title) {
   constexpr std::array<std::string_view, 8> keys = {"depth_unit_mm", "length_unit", "rate_hz",     "mask_value",
                                                     "width",         "height",      "position_mm", "cam_from_world"};
   for (const auto& [name, value] : json.items())
     for (const std::string_view key : keys)
-      if (name != key && !json.contains(std::string(key)) && letters_apart(name, key) <= 2)
+      if (name != key && !json.contains(std::string(key)) && edit_distance(name, key) <= 2)
         fail(title, " at /", name, ": no such key, expected \"", key, "\"");
 }
 

@@ -13,6 +13,7 @@
 #include "nodes/base/check.h"
 #include "nodes/base/mouth.h"
 #include "nodes/base/pose.h"
+#include "nodes/evaluate/rotation_angle.h"
 #include "nodes/evaluate/statistics.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_basis.h"
@@ -30,10 +31,10 @@ Eigen::Matrix3d rotation_of(const Camera& camera) {
 
 Eigen::Matrix3d rotation_of(const RigidMotion& motion) { return Eigen::Map<const Rows3>(motion.rotation.data()); }
 
-// By sine and cosine both: the arc cosine alone is blind to small angles.
-double angle_deg(const Eigen::Matrix3d& r) {
-  const Eigen::Vector3d axis(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
-  return std::atan2(axis.norm(), r.trace() - 1) * 180 / std::numbers::pi;
+double angle_deg(const Eigen::Matrix3d& rotation) {
+  std::array<double, 9> rows{};
+  Eigen::Map<Rows3>(rows.data()) = rotation;
+  return rotation_angle_deg(rows);
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/evaluate/pose.h"
 
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/evaluate/animations.h"
+#include "nodes/evaluate/rotation_angle.h"
 #include "nodes/evaluate/statistics.h"
 
 namespace face::evaluate {
@@ -22,15 +23,12 @@ void check_motion(const RigidMotion& motion, const char* name, const std::string
           ", expected a finite number");
 }
 
-// By sine and cosine both, as the arc cosine alone is blind to small angles.
 double angle_deg(const RigidMotion& a, const RigidMotion& b) {
-  double r[3][3] = {};
+  std::array<double, 9> from_a_to_b{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) r[i][j] += a.rotation[3 * k + i] * b.rotation[3 * k + j];
-  const double x = r[2][1] - r[1][2], y = r[0][2] - r[2][0], z = r[1][0] - r[0][1];
-  const double sine = std::sqrt(x * x + y * y + z * z), cosine = r[0][0] + r[1][1] + r[2][2] - 1;
-  return std::atan2(sine, cosine) * 180 / std::numbers::pi;
+      for (std::size_t k = 0; k < 3; ++k) from_a_to_b[3 * i + j] += a.rotation[3 * k + i] * b.rotation[3 * k + j];
+  return rotation_angle_deg(from_a_to_b);
 }
 
 }  // namespace

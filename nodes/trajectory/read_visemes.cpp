@@ -6,12 +6,12 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 #include "nodes/base/check.h"
+#include "nodes/base/edit_distance.h"
 #include "nodes/types/arkit.h"
 
 namespace face::trajectory {
@@ -27,21 +27,6 @@ constexpr std::array<std::string_view, 56> labels = {
     "S",   "SH",  "T",   "TH",  "UH",  "UW",  "V",   "W",   "Y",   "Z",   "ZH",   "SIL",  "P.c",  "P.r",
     "B.c", "B.r", "T.c", "T.r", "D.c", "D.r", "K.c", "K.r", "G.c", "G.r", "CH.c", "CH.r", "JH.c", "JH.r"};
 constexpr std::size_t needed_labels = 52;
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string nearest(std::string_view name, const std::vector<std::string>& names) {
   return *std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
