@@ -41,8 +41,7 @@ cli::CommandTree tree_of(const CLI::App& app) {
 }  // namespace
 
 int main(int count, char** words) {
-  // Large values come and go: their memory shall go back to the system. More than a megabyte has to come from there,
-  // all zero: with blocks that were used before, x264 encodes the same pictures otherwise from run to run.
+  // Large values come and go: their memory shall go back to the system.
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
 

@@ -145,6 +145,9 @@ struct Mp4Writer::State {
     AVDictionary* options = nullptr;
     av_dict_set(&options, "preset", "veryfast", 0);
     av_dict_set_int(&options, "crf", settings.quality, 0);
+    // The same bytes from every processor, and every time: x264's AVX-512 routine of the macroblock tree reads memory
+    // that nobody has written.
+    av_dict_set(&options, "x264-params", "cpu-independent=1", 0);
     open_codec(codec, &options, [](AVCodecContext& context, const Settings& s) {
       context.width = (s.width_px + 1) / 2 * 2;
       context.height = (s.height_px + 1) / 2 * 2;

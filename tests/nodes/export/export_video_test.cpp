@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -193,6 +195,41 @@ TEST(ExportVideo, GivesTheSameBytesTwice) {
   const Audio audio = tone(1);
   EXPECT_EQ(written(pictures(25), regular(25, 25), &audio).bytes(),
             written(pictures(25), regular(25, 25), &audio).bytes());
+}
+
+TEST(ExportVideo, GivesTheSameBytesWhateverTheMemoryHeldBefore) {
+  // A pattern that moves: only then has the encoder something to choose.
+  std::vector<Image> moving;
+  for (int i = 0; i < 40; ++i) {
+    Image image = picture(0, 160, 64);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const double wave = std::sin(0.3 * (x + i)) * std::cos(0.2 * y + 0.05 * i) + 0.5 * std::sin(0.07 * x * y);
+        for (int c = 0; c < 3; ++c)
+          image.pixels[static_cast<std::size_t>((y * image.width + x) * 3 + c)] =
+              static_cast<std::uint8_t>(std::lround(128 + 60 * wave));
+      }
+    moving.push_back(std::move(image));
+  }
+  const engine::Seq<Image> frames(std::move(moving));
+  const std::string expected = written(frames, regular(40, 40), nullptr).bytes();
+  std::atomic<int> others{0};
+  const auto write_often = [&](std::uint32_t seed) {
+    for (int round = 0; round < 40; ++round) {
+      std::vector<std::vector<char>> used;
+      for (int i = 0; i < 200; ++i) {
+        seed = seed * 1664525u + 1013904223u;
+        used.emplace_back((seed >> 8) % 900000, static_cast<char>(seed >> 3));
+        if ((seed >> 20) % 2 == 1) used.erase(used.begin() + static_cast<std::ptrdiff_t>((seed >> 5) % used.size()));
+      }
+      used.clear();
+      if (written(frames, regular(40, 40), nullptr).bytes() != expected) ++others;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::uint32_t i = 1; i <= 6; ++i) threads.emplace_back(write_often, i);
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(others, 0) << "of 240";
 }
 
 TEST(ExportVideo, WritesTheSameBytesToTheScratchFolder) {
