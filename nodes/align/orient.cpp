@@ -7,6 +7,7 @@
 #include <map>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/base/random.h"
 #include "nodes/base/scan_points.h"
 
@@ -134,9 +135,8 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
     if (!guess.solved) continue;
     std::vector<double> errors;
     for (std::size_t i = 0; i < from.size(); ++i) errors.push_back(distance(moved(guess.to_from, from[i]), to[i]));
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    if (*middle < least) least = *middle, best = guess;
+    const double usual = median(std::move(errors));
+    if (usual < least) least = usual, best = guess;
   }
   const auto give_up = [&] {
     if (there.empty())

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/decode/depth_cloud.h"
 #include "nodes/decode/depth_image.h"
 #include "nodes/decode/input_file.h"
@@ -23,13 +24,6 @@ std::string place(const std::string& path) {
   for (int parts = 0; parts < 3 && start != std::string::npos && start > 0; ++parts)
     start = path.find_last_of('/', start - 1);
   return start == std::string::npos ? path : path.substr(start + (start < path.size() && path[start] == '/' ? 1 : 0));
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void check_size(const std::string& what, int width, int height, int expected_width, int expected_height) {

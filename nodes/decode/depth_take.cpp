@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/decode/depth_frame.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/scan_camera_file.h"
@@ -87,11 +88,6 @@ std::pair<int, int> usual_size(const std::vector<Frame>& frames) {
       most = counts[best];
     }
   return best;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
 }
 
 std::string first_trouble(const std::vector<Frame>& frames) {

@@ -67,7 +67,7 @@ CorrespondenceResult correspondence(const Rig& rig, const MeshPoints& points, co
     std::vector<double> errors;
     for (const std::uint32_t v : region.vertices) errors.push_back(error_mm[v]);
     result.table.rows.push_back({region.name,
-                                 {mean_of(errors), quantile_of(errors, 0.5), quantile_of(errors, 0.95),
+                                 {mean_of(errors), quantile(errors, 0.5), quantile(errors, 0.95),
                                   largest_of(errors), static_cast<double>(errors.size())}});
   }
   result.heat_map = draw_heat_map(rig, error_mm, options.full_scale_mm);

@@ -80,9 +80,9 @@ Table face_fit(const MorphableModel& model, const FaceFit& fit, const Rig& rig, 
       distances.push_back((arm - real_arm).norm());
       shape_distances.push_back((scale * arm - real_arm).norm());
     }
-    vertex = quantile_of(distances, 0.5);
-    shape = quantile_of(shape_distances, 0.5);
-    shape_p90 = quantile_of(shape_distances, 0.9);
+    vertex = quantile(distances, 0.5);
+    shape = quantile(shape_distances, 0.5);
+    shape_p90 = quantile(shape_distances, 0.9);
     if (together.solved) size = 100 * (1 / scale - 1);
     gap = std::abs(fit.lip_gap_mm - true_gap);
     const Eigen::Matrix3d seen = rotation_of(fit.camera);

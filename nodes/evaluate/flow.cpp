@@ -77,7 +77,7 @@ FlowResult flow(const engine::Seq<FlowField>& flow, const engine::Seq<FlowField>
     }
     const auto frame_count = static_cast<double>(errors.size());
     result.frames.rows.push_back({flow.id(f),
-                                  {mean_of(errors), quantile_of(errors, 0.95), percent_of(frame_over, frame_count),
+                                  {mean_of(errors), quantile(errors, 0.95), percent_of(frame_over, frame_count),
                                    percent_of(frame_count, frame_known)}});
     over += frame_over, known += frame_known, count += frame_count;
   }

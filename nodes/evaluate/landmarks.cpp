@@ -71,7 +71,7 @@ LandmarksResult landmarks(const engine::Seq<Landmarks>& track, const engine::Seq
       "all",
       {"nme_percent", "failure_percent", "auc_percent", "rms_px", "p95_px", "lost_per_1000", "lost_per_1000_frames"},
       {mean_of(nmes), percent_of(failures, judged_frames), percent_of(area, judged_frames), rms_of(distances),
-       quantile_of(distances, 0.95), 10 * percent_of(lost, wanted),
+       quantile(distances, 0.95), 10 * percent_of(lost, wanted),
        10 * percent_of(lost, static_cast<double>(track.size()))});
   return result;
 }

@@ -34,7 +34,7 @@ struct Apart {
     only_b += in_b && !in_a ? 1 : 0;
   }
   std::vector<double> values() const {
-    return {mean_of(known), quantile_of(known, 0.95), largest_of(known), only_a, only_b};
+    return {mean_of(known), quantile(known, 0.95), largest_of(known), only_a, only_b};
   }
 };
 

@@ -137,7 +137,7 @@ Table flow_difference(const FlowField& a, const FlowField& b) {
                                      double(a.displacement_px[i][1]) - b.displacement_px[i][1]));
   }
   return one_row("all", columns,
-                 {mean_of(distances), quantile_of(distances, 0.95), largest_of(distances), only_a, only_b});
+                 {mean_of(distances), quantile(distances, 0.95), largest_of(distances), only_a, only_b});
 }
 
 }  // namespace face::evaluate

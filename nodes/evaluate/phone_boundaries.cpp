@@ -134,7 +134,7 @@ Table phone_boundaries(const Phones& phones, const Phones& truth) {
       "all",
       {"boundaries", "mae_ms", "median_ms", "bias_ms", "within_10ms_percent", "within_20ms_percent",
        "within_25ms_percent", "within_50ms_percent", "unmatched_percent", "per_percent", "f1_20ms_percent", "r_value"},
-      {static_cast<double>(late_ms.size()), mean_of(sizes_ms), quantile_of(sizes_ms, 0.5), mean_of(late_ms),
+      {static_cast<double>(late_ms.size()), mean_of(sizes_ms), quantile(sizes_ms, 0.5), mean_of(late_ms),
        percent_within(sizes_ms, 10 + rounding_ms), percent_within(sizes_ms, 20 + rounding_ms),
        percent_within(sizes_ms, 25 + rounding_ms), percent_within(sizes_ms, 50 + rounding_ms),
        percent_of(true_count - static_cast<double>(late_ms.size()), true_count),

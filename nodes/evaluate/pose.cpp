@@ -51,8 +51,8 @@ PoseResult pose(const engine::Seq<RigidMotion>& motion, const engine::Seq<RigidM
   result.table = one_row("all",
                          {"rotation_mean_deg", "rotation_p95_deg", "rotation_max_deg", "translation_mean_mm",
                           "translation_p95_mm", "translation_max_mm"},
-                         {mean_of(angles), quantile_of(angles, 0.95), largest_of(angles), mean_of(distances),
-                          quantile_of(distances, 0.95), largest_of(distances)});
+                         {mean_of(angles), quantile(angles, 0.95), largest_of(angles), mean_of(distances),
+                          quantile(distances, 0.95), largest_of(distances)});
   return result;
 }
 

@@ -32,8 +32,8 @@ Table rank_tables(const engine::Seq<Table>& tables) {
   }
   TableRow median{"median", {}}, p90{"p90", {}}, largest{"largest", {}};
   for (const std::vector<double>& column : numbers) {
-    median.values.push_back(quantile_of(column, 0.5));
-    p90.values.push_back(quantile_of(column, 0.9));
+    median.values.push_back(quantile(column, 0.5));
+    p90.values.push_back(quantile(column, 0.9));
     largest.values.push_back(largest_of(column));
   }
   for (const TableRow& row : {median, p90, largest}) ranked.rows.push_back(row);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+
 namespace face::evaluate {
 namespace {
 
@@ -36,15 +37,6 @@ double deviation_of(const std::vector<double>& values) {
   std::vector<double> centred = values;
   for (double& value : centred) value -= mean;
   return rms_of(centred);
-}
-
-double quantile_of(std::vector<double> values, double q) {
-  if (values.empty()) return nothing;
-  std::sort(values.begin(), values.end());
-  const double place = q * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(place);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  return values[low] + (place - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
 double percent_within(const std::vector<double>& values, double most) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "nodes/base/quantile.h"
 #include "nodes/types/table.h"
 
 namespace face::evaluate {
@@ -13,9 +14,6 @@ double rms_of(const std::vector<double>& values);
 double largest_of(const std::vector<double>& values);
 // Divides by the count, as numpy's std.
 double deviation_of(const std::vector<double>& values);
-// Between the two neighbours in rank, linearly (type 7 of Hyndman and Fan, Sample Quantiles in Statistical Packages,
-// The American Statistician 50, 1996, as numpy). q in [0, 1].
-double quantile_of(std::vector<double> values, double q);
 // Share of the values that are at most `most`, in percent.
 double percent_within(const std::vector<double>& values, double most);
 

@@ -31,7 +31,7 @@ TextureConsistencyResult texture_consistency(const engine::Seq<Image>& rendered,
   }
   result.table = one_row(
       "all", {"rms_levels", "median_levels", "p95_levels", "worst_levels"},
-      {std::sqrt(squares / pixels), quantile_of(measured, 0.5), quantile_of(measured, 0.95), largest_of(measured)});
+      {std::sqrt(squares / pixels), quantile(measured, 0.5), quantile(measured, 0.95), largest_of(measured)});
   return result;
 }
 

@@ -73,7 +73,7 @@ std::vector<double> distance_values(const VertexDistances& distances) {
   const std::vector<double>& mm = distances.mm;
   return {mean_of(mm),
           rms_of(mm),
-          quantile_of(mm, 0.95),
+          quantile(mm, 0.95),
           largest_of(mm),
           100 - percent_within(mm, moved_mm),
           static_cast<double>(mm.size()),
@@ -85,7 +85,7 @@ Image draw_distances(const Rig& a, const Rig& b, const std::vector<double>& dist
   std::vector<double> shown = distance_mm, known;
   for (const double mm : distance_mm)
     if (std::isfinite(mm)) known.push_back(mm);
-  const double full_mm = rounded_up(std::max(1e-3, known.empty() ? 0 : quantile_of(known, 0.99)));
+  const double full_mm = rounded_up(std::max(1e-3, known.empty() ? 0 : quantile(known, 0.99)));
   for (double& mm : shown) mm = std::min(mm, 1e6);
   const Image map = draw_heat_map(a, shown, full_mm);
   Canvas canvas(2 * picture_px + map.width, picture_px);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "nodes/base/quantile.h"
 #include "nodes/flow/patch_search.h"
 #include "nodes/flow/relax.h"
 
@@ -153,10 +154,7 @@ float gradient_scale(const Plane& channel, const Plane& share) {
       const float length = std::hypot(channel.row(y)[x + 1] - here, channel.row(y + 1)[x] - here);
       if (length > 0) lengths.push_back(length);
     }
-  if (lengths.empty()) return 1;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 1 : median(std::move(lengths));
 }
 
 void dense_flow(const std::vector<Level>& reference, const std::vector<Level>& target, const DenseFlowOptions& options,

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "nodes/base/quantile.h"
+
 namespace face::flow {
 namespace {
 
@@ -29,10 +31,7 @@ void despike(Plane& plane, float threshold) {
       std::nth_element(d.begin(), d.begin() + 3, d.end());
       unlike.row(y)[x] = d[0] + d[1] + d[2] + d[3];
     }
-  std::vector<float> sorted = unlike.values;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const float limit = std::max(threshold, 4 * *middle);
+  const float limit = std::max(threshold, 4 * median(unlike.values));
   const Plane source = plane;
   for (int y = 0; y < plane.height; ++y)
     for (int x = 0; x < plane.width; ++x) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/base/scan_points.h"
 
 namespace face::mask {
@@ -15,13 +16,6 @@ namespace {
 struct Rectangle {
   int left, top, width, height;
 };
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Rectangle rectangle_of(const DepthScan& scan, const Landmarks* moved, const Landmarks* before,
                        const RemoveMouthOptions& options) {

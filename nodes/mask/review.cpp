@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/base/scan_points.h"
 
 namespace face::mask {
@@ -57,10 +58,10 @@ ReviewResult review(const engine::Seq<DepthScan>& scans, const engine::Seq<Image
   for (std::size_t t = 0; t < count; ++t) {
     std::vector<double> about;
     for (std::size_t k = t > 2 ? t - 2 : 0; k < std::min(count, t + 3); ++k) about.push_back(areas[k].area);
-    std::nth_element(about.begin(), about.begin() + static_cast<std::ptrdiff_t>(about.size() / 2), about.end());
-    const double usual = std::max(about[about.size() / 2], 30.0), own = std::max(areas[t].area, 30.0);
+    const double middle = median(std::move(about));
+    const double usual = std::max(middle, 30.0), own = std::max(areas[t].area, 30.0);
     const double instability = std::fabs(areas[t].low - areas[t].high) / own;
-    const double departure = std::fabs(areas[t].area - about[about.size() / 2]) / usual;
+    const double departure = std::fabs(areas[t].area - middle) / usual;
     if (instability <= options.doubt && departure <= options.doubt) continue;
     shown.push_back(t);
     result.doubtful.rows.push_back({reports.id(t), {areas[t].proposed_mm, instability, departure}});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 
 namespace face::mmm {
 namespace {
@@ -37,9 +38,7 @@ WindowOfSpeech window_from(std::size_t first, const Phones& phones, const Matrix
   }
   if (apart.empty()) return window;
   window.mean_score /= window.time_s;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  window.median_apart_s = *middle;
+  window.median_apart_s = median(std::move(apart));
   return window;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 
 namespace face::mmm {
 namespace {
@@ -32,12 +33,6 @@ Matrix3d hartley(const std::vector<PointPair>& pairs, double PointPair::*x, doub
   Matrix3d t;
   t << s, 0, -s * mx, 0, s, -s * my, 0, 0, 1;
   return t;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

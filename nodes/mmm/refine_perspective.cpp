@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "nodes/base/quantile.h"
 #include "nodes/mmm/fit_perspective.h"
 
 namespace face::mmm {
@@ -113,9 +114,8 @@ Matrix refine_perspective(const Image& reference, const Image& frame, const Imag
       if (is_seen(p)) sizes.push_back(std::abs(w[p] - before.values[p]));
     }
     if (sizes.size() < 21) return start;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    scale = std::max(options.least_scale_levels, std::min(1.4826 * static_cast<double>(*middle), scale));
+    const auto usual = static_cast<double>(median(std::move(sizes)));
+    scale = std::max(options.least_scale_levels, std::min(1.4826 * usual, scale));
     Matrix8d normal = Matrix8d::Zero();
     Vector8d right = Vector8d::Zero();
     for (const Pixel& pixel : pixels) {

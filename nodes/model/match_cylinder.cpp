@@ -6,6 +6,7 @@
 
 #include "nodes/align/orient.h"
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/head_points.h"
 #include "nodes/model/scan_surface.h"
@@ -67,12 +68,6 @@ bool flow_at(const FlowField& flow, double x_px, double y_px, double& du, double
   return true;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Found vertices that move otherwise than the median of those up to two edges away.
 std::vector<std::uint32_t> outliers(const std::vector<Point>& moved, const std::vector<std::uint8_t>& found,
                                     const std::vector<std::vector<std::uint32_t>>& near, double outlier_mm) {
@@ -86,7 +81,7 @@ std::vector<std::uint32_t> outliers(const std::vector<Point>& moved, const std::
           for (std::size_t k = 0; k < 3; ++k) about[k].push_back(moved[b][k]);
     if (about[0].size() < 4) continue;
     double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) squared += std::pow(moved[v][k] - median(about[k]), 2);
+    for (std::size_t k = 0; k < 3; ++k) squared += std::pow(moved[v][k] - median(std::move(about[k])), 2);
     if (squared > outlier_mm * outlier_mm) result.push_back(v);
   }
   return result;

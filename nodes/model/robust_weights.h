@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "nodes/base/quantile.h"
+
 namespace face::model {
 
 inline constexpr double least_noise = 0.02;  // of a pixel, as a share of the scale: no model is better
@@ -17,10 +19,7 @@ inline std::vector<float> robust_weights(const std::vector<float>& residual, dou
     lengths[i] = std::sqrt((residual[3 * i] * residual[3 * i] + residual[3 * i + 1] * residual[3 * i + 1] +
                             residual[3 * i + 2] * residual[3 * i + 2]) /
                            3.0f);
-  std::vector<float> sorted = lengths;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  median = sorted.empty() ? 0.0 : static_cast<double>(*middle);
+  median = static_cast<double>(face::median(lengths));
   const auto scale = static_cast<float>(2.5 * std::max(least_noise, median));
   for (float& length : lengths) {
     const float u = length / scale;

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/scan_surface.h"
 #include "nodes/model/skin_modes.h"
@@ -129,8 +130,7 @@ std::array<double, 3> median_colour(const CylinderScan& scan, double x, double y
     std::vector<double> seen;
     for (int dy = -radius_px; dy <= radius_px; ++dy)
       for (int dx = -radius_px; dx <= radius_px; ++dx) seen.push_back(cylinder_colour(scan, x + dx, y + dy)[c]);
-    std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
-    colour[c] = seen[seen.size() / 2];
+    colour[c] = median(std::move(seen));
   }
   return colour;
 }

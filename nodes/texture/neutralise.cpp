@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
@@ -25,13 +26,6 @@ constexpr double reading_error = 0.02;  // of a pixel's value: of light and pict
 constexpr double chroma_sigma = 0.2;    // of skin about what the model's components say, logarithm
 constexpr float below_chin_mm = 12;     // where collars begin
 constexpr float least_albedo = 1e-3f;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // x of the outline of cheek and jaw at a height; points first .. first + 8 go down one side, or up.
 float outline_x(const Rig& person, std::size_t first, float y) {

@@ -8,6 +8,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/find_landmark.h"
+#include "nodes/base/quantile.h"
 
 namespace face::track {
 namespace {
@@ -47,15 +48,8 @@ void find_contact(const engine::Seq<double>& openings, const engine::Seq<Landmar
     all.push_back(opening);
     if (opening >= 0) seen.push_back(opening);
   }
-  double shut = 0;
-  if (!seen.empty()) {
-    // Between two frames, so that one frame more changes little.
-    std::sort(seen.begin(), seen.end());
-    const double place = options.shut_share * static_cast<double>(seen.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const double above = seen[std::min(below + 1, seen.size() - 1)];
-    shut = seen[below] + (place - static_cast<double>(below)) * (above - seen[below]);
-  }
+  // Between two frames, so that one frame more changes little.
+  const double shut = seen.empty() ? 0 : quantile(std::move(seen), options.shut_share);
   std::vector<double> found, shares;
   for (const double opening : all) {
     const double from = options.shut_ratio * shut, to = options.open_ratio * shut;
@@ -63,12 +57,7 @@ void find_contact(const engine::Seq<double>& openings, const engine::Seq<Landmar
   }
   for (std::size_t t = 0; landmarks && t < found.size(); ++t)
     if (found[t] > 0) shares.push_back(lower_share(*landmarks->at(t)));
-  double usual = 0;
-  if (!shares.empty()) {
-    std::vector<double> sorted = shares;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    usual = sorted[sorted.size() / 2];
-  }
+  const double usual = median(shares);
   std::size_t next = 0;
   for (std::size_t t = 0; t < found.size(); ++t) {
     if (landmarks && found[t] > 0) {

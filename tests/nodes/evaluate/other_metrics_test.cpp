@@ -26,12 +26,9 @@ using test::spoken;
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Statistics, AreThoseOfNumpy) {
-  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0.95), 3.85);
-  EXPECT_DOUBLE_EQ(quantile_of({4, 1, 3, 2}, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile_of({7}, 0.95), 7);
   EXPECT_DOUBLE_EQ(deviation_of({1, 3}), 1);
   EXPECT_DOUBLE_EQ(rms_of({3, 4}), std::sqrt(12.5));
-  EXPECT_TRUE(std::isnan(mean_of({})) && std::isnan(rms_of({})) && std::isnan(quantile_of({}, 0.5)));
+  EXPECT_TRUE(std::isnan(mean_of({})) && std::isnan(rms_of({})));
   EXPECT_TRUE(std::isnan(percent_within({}, 1)));
 }
 
