@@ -175,14 +175,26 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
       }
     }
     ++result.dropped;
-    troubles.push_back(message("frame ", frame.number, ": ", frame.trouble, "; left out"));
+    // One line for frames that follow one another with the same trouble.
+    const std::size_t start = i;
+    while (i + 1 < frames.size() && frames[i + 1].number == frames[i].number + 1 &&
+           frames[i + 1].trouble == frame.trouble)
+      ++i, ++result.dropped;
+    troubles.push_back(message(
+        i == start ? message("frame ", frame.number) : message("frames ", frame.number, " to ", frames[i].number), ": ",
+        frame.trouble, "; left out"));
   }
-  check(scans.count() > 0, "take ", take, ": none of its ", frames.size(), " frames is left", first_trouble(frames));
-  result.timeline.duration_s = result.timeline.time_s.back() + 1 / camera.rate_hz;
-  for (const std::string& trouble : troubles) {
-    progress.warn("take " + take + ", " + trouble);
-    result.report += "take " + take + ", " + trouble + "\n";
-  }
+  result.kept = scans.count() > 0;
+  if (result.kept) result.timeline.duration_s = result.timeline.time_s.back() + 1 / camera.rate_hz;
+  const auto report = [&](const std::string& line, bool warn) {
+    if (warn) progress.warn(line);
+    result.report += line + "\n";
+  };
+  if (!result.kept)
+    report(message("take ", take, ": none of its ", frames.size(), " frames is left", first_trouble(frames),
+                   "; the take is left out"),
+           true);
+  for (const std::string& trouble : troubles) report("take " + take + ", " + trouble, result.kept);
   return result;
 }
 

@@ -22,6 +22,7 @@ struct DepthTakeResult {
   Timeline timeline;         // of the frames kept; missing numbers leave their time
   std::string report;        // a line for everything that was wrong, naming the frame
   std::int64_t dropped = 0;  // frames that were left out
+  bool kept = true;          // false: none is left, and the take is to be left out
 };
 
 // Reads one take of a recorded stream of scans from a folder:
@@ -38,8 +39,8 @@ struct DepthTakeResult {
 // the intrinsics do not bring to their pixels, by more than 2 px in the median. Then, against the take's medians: a
 // frame without a face has less than least_face of the measured pixels, or lies farther than face_change_mm before or
 // behind. Numbers that are missing between the first and the last are named too. Throws where camera.json is wrong or
-// absent, where the take has no frame, and where none is left, with the reason of the first. Pixels that are not square
-// become so by resampling rows (depth: the nearest, pictures: linear).
+// absent and where the take has no frame. A take of which no frame is left has no scans and a warning with the reason
+// of the first. Pixels that are not square become so by resampling rows (depth: the nearest, pictures: linear).
 DepthTakeResult depth_take(const engine::File& folder, const std::string& take, engine::SeqWriter<DepthScan>& scans,
                            const DepthTakeOptions& options, engine::Progress& progress);
 

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.depth_take", &depth_take, version{1},
+NODE("decode.depth_take", &depth_take, version{2},
      doc{"Reads one take of a recorded stream of scans: depth pictures (PNG, EXR) or organised clouds (PLY, XYZ), "
          "pictures, masks and camera.json. What is wrong with a frame is named with its number; the rest is kept."},
      input{"folder", "A folder with camera.json, depth/TAKE/17.png and the like"},
@@ -23,4 +23,5 @@ NODE("decode.depth_take", &depth_take, version{1},
      output("scans", "The frames that are kept, by their numbers"),
      output("timeline", &DepthTakeResult::timeline, "When they were taken"),
      output("report", &DepthTakeResult::report, "What was wrong, a line each"),
-     output("dropped", &DepthTakeResult::dropped, "How many frames were left out"));
+     output("dropped", &DepthTakeResult::dropped, "How many frames were left out"),
+     output("kept", &DepthTakeResult::kept, "False: no frame is left, leave the take's sound out (seq.where)"));

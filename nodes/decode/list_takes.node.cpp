@@ -5,5 +5,10 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.list_takes", &list_takes, version{1}, doc{"The takes of a recorded stream of scans, by name."},
-     input{"folder", "A folder with files like depth/TAKE/17.png"}, output("takes", "Names of the takes"));
+NODE("decode.list_takes", &list_takes, version{2},
+     doc{"The takes of a recorded stream of scans, with the sound and the text of each."},
+     input{"folder", "A folder with files like depth/TAKE/17.png"},
+     input{"sound", "A folder with a recording of every take; a take without one is left out"},
+     input{"texts", "A folder with a .txt of every take; a take without one is left out"},
+     output("takes", "Names of the takes"), output("sounds", "Their recordings"), output("scripts", "Their texts"),
+     output("report", &ListTakesResult::report, "What was left out, a line each"));

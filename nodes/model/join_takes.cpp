@@ -11,6 +11,9 @@ namespace face::model {
 JoinTakesResult join_takes(const engine::Seq<Phones>& phones, const engine::Seq<Timeline>& timelines,
                            engine::Progress& progress) {
   check(phones.size() == timelines.size(), "phones has ", phones.size(), " takes, timelines ", timelines.size());
+  for (std::size_t t = 0; t < phones.size(); ++t)
+    check(phones.id(t) == timelines.id(t), "phones has take ", phones.id(t), " at ", t, ", timelines take ",
+          timelines.id(t));
   JoinTakesResult result;
   double start_s = 0;
   for (std::size_t t = 0; t < phones.size(); ++t) {

@@ -33,7 +33,7 @@ class ScanStream : public test::CommandTest {
   Ended reread(const std::string& overrides = {}) const {
     write("reread.json", R"({"facegraph": 1, "params": {"scans": {"type": "path"}}, "nodes": {
         "takes": { "node": "decode.list_takes", "inputs": {"folder": "${scans}"} },
-        "scan": { "node": "decode.depth_take", "inputs": {"folder": "${scans}", "take": "takes"} },
+        "scan": { "node": "decode.depth_take", "inputs": {"folder": "${scans}", "take": "takes.takes"} },
         "again": { "node": "export.depth", "inputs": {"scan": "scan.scans"} },
         "mouth": { "node": "mask.remove_mouth", "inputs": {"scan": "scan.scans"}, "overrides": {)" +
                              overrides + R"(} },
@@ -79,6 +79,41 @@ TEST_F(ScanStream, NamesWhatIsWrongAndKeepsTheRest) {
   }
 }
 
+// Folders as people name them, a take whose depth is no depth, one without sound.
+TEST_F(ScanStream, LeavesOutATakeOfWhichNothingIsLeftAndKeepsTheRest) {
+  const auto copy_take = [&](const std::string& take) {
+    for (const std::string kind : {"depth", "picture"})
+      fs::copy(path("stream/" + kind + "/1"), path("stream/" + kind + "/" + take));
+    fs::copy(path("sentences/1.txt"), path("sentences/" + take + ".txt"));
+    fs::copy(path("stream/sound/1.wav"), path("stream/sound/" + take + ".wav"));
+  };
+  for (const char* take : {"M\xc3\xa4rz, second try", "dark", "mute"}) copy_take(take);
+  const std::size_t count = names("stream/depth/1").size();
+  for (const std::string& frame : names("stream/depth/dark")) write("stream/depth/dark/" + frame, "no picture");
+  fs::remove(path("stream/sound/mute.wav"));
+  fs::remove_all(path("stream/depth/1"));
+  const Ended ended =
+      command({"run", graph("scan_stream/recorded.json"), "--set", "scans=stream", "--set", "sound=stream/sound",
+               "--set", "texts=sentences", "--to", "learned/all_smooth", "--events", "events.ndjson"});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  for (const char* text :
+       {"take M\xc3\xa4rz, second try: it is called M_rz__second_try in what is written",
+        "take mute: it has no file mute.wav in sound; left out", "sound/1.wav belongs to no take; left out",
+        "take dark: none of its ", " frames is left; frame 0: depth/dark/0.png", "; the take is left out"})
+    EXPECT_NE(ended.output.find(text), std::string::npos) << text << "\n" << ended.output;
+  std::size_t smoothed = 0;
+  for (const std::string& line : test::lines_of(read("events.ndjson"))) {
+    const nlohmann::json event = nlohmann::json::parse(line);
+    if (event["event"] == "finished" && event["node"] == "learned/smooth") ++smoothed;
+  }
+  EXPECT_EQ(smoothed, count);
+  EXPECT_TRUE(fs::exists(path("stream/sound/1.wav")));
+  const Ended joined = command({"run", graph("scan_stream/recorded.json"), "--set", "scans=stream", "--set",
+                                "sound=stream/sound", "--set", "texts=sentences", "--to", "joined"});
+  EXPECT_EQ(joined.code, 0) << joined.output;
+  EXPECT_EQ(joined.output.find("warning: joined"), std::string::npos) << joined.output;
+}
+
 TEST_F(ScanStream, OneFramesThresholdRerunsThatFrameAlone) {
   ASSERT_EQ(reread().code, 0);
   const Ended ended = reread(R"("1/5": {"threshold_mm": 2.5})");
@@ -107,7 +142,7 @@ class ScanModel : public ScanStream {
     model["params"]["reference"]["default"] = "1.12";
     Json& nodes = model["nodes"];
     nodes["takes"] = {{"node", "decode.list_takes"}, {"inputs", {{"folder", "${scans}"}}}};
-    nodes["scan"] = {{"node", "decode.depth_take"}, {"inputs", {{"folder", "${scans}"}, {"take", "takes"}}}};
+    nodes["scan"] = {{"node", "decode.depth_take"}, {"inputs", {{"folder", "${scans}"}, {"take", "takes.takes"}}}};
     nodes["report"] = {{"node", "export.text"}, {"inputs", {{"text", "scan.report"}}}};
     nodes["found"]["inputs"]["scans"] = "scan.scans";
     nodes["track"]["inputs"]["scan"] = nodes["mouth"]["inputs"]["scan"] = "scan.scans";

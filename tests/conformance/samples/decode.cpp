@@ -45,6 +45,20 @@ Sample takes(engine::Plugins&, int variant) {
   return {test::sample_folder("takes" + std::to_string(variant), files), "file"};
 }
 
+// What lies beside them: of all four, then of three.
+enum class Kind { sound, text };
+
+template <Kind kind>
+Sample files_of_takes(engine::Plugins&, int variant) {
+  const std::string suffix = kind == Kind::sound ? ".wav" : ".txt";
+  std::map<std::string, std::string> files;
+  for (int take = 0; take < 4 - variant; ++take) {
+    const std::string name = std::string(1, static_cast<char>('a' + take)) + suffix;
+    files[name] = "of " + name;
+  }
+  return {test::sample_folder("files" + suffix.substr(1) + std::to_string(variant), files), "file"};
+}
+
 // Modes of a square of the size of a head in cm.
 Sample modes(engine::Plugins&, int variant) {
   const auto square = [](double x, double z) {
@@ -102,6 +116,8 @@ const Registered decode({
             {"decode.model.expressions", eos_expressions},
             {"decode.model.landmarks", text_file(".json", {sixty_eight(0), sixty_eight(1)})},
             {"decode.list_takes.folder", takes},
+            {"decode.list_takes.sound", files_of_takes<Kind::sound>},
+            {"decode.list_takes.texts", files_of_takes<Kind::text>},
             {"decode.depth_take.folder", takes},
             {"decode.depth_take.take",
              made([](int variant) { return std::string(1, static_cast<char>('a' + variant)); })},

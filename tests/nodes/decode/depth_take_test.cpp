@@ -8,7 +8,6 @@
 #include <cstring>
 #include <functional>
 
-#include "nodes/decode/list_takes.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/depth_pictures.h"
 #include "tests/support/expect_throw_text.h"
@@ -122,6 +121,17 @@ std::string message_of(const std::function<void()>& call) {
   return "nothing was thrown";
 }
 
+// The first warning of a take that has no frame left.
+std::string why_nothing_is_left(Stream& stream) {
+  const DepthTakeResult result = stream.read();
+  EXPECT_FALSE(result.kept);
+  EXPECT_TRUE(stream.scans.empty());
+  EXPECT_TRUE(result.timeline.time_s.empty());
+  EXPECT_EQ(stream.heard.texts.size(), 1u);
+  EXPECT_EQ(result.report.substr(0, result.report.find('\n')), stream.heard.texts.at(0));
+  return stream.heard.texts.at(0);
+}
+
 }  // namespace
 
 TEST(DepthTake, ReadsDepthPictureAndCamera) {
@@ -131,6 +141,7 @@ TEST(DepthTake, ReadsDepthPictureAndCamera) {
   EXPECT_EQ(stream.ids, (std::vector<std::string>{"3", "4", "5"}));
   EXPECT_EQ(result.timeline.time_s, (std::vector<double>{0, 0.025, 0.05}));
   EXPECT_EQ(result.report, "");
+  EXPECT_TRUE(result.kept);
   const DepthScan& scan = stream.scans[1];
   EXPECT_EQ(scan.camera.focal_px, 200);
   EXPECT_EQ(scan.picture.channels, 1);
@@ -246,13 +257,26 @@ TEST(DepthTake, NamesFramesOfAnotherSizeAndDepthOfEightBits) {
             "left out");
 }
 
+TEST(DepthTake, SaysOnceWhatFramesInARowHaveWrong) {
+  Stream stream;
+  for (const int n : {1, 6, 7}) stream.frame(n);
+  for (const int n : {2, 3, 4, 8}) stream.picture(std::to_string(n));
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"1", "6", "7"}));
+  EXPECT_EQ(result.dropped, 4);
+  EXPECT_EQ(stream.heard.texts,
+            (std::vector<std::string>{"take a, frames 2 to 4: it has a picture or mask but no depth; left out",
+                                      "take a, frame 5 is missing",
+                                      "take a, frame 8: it has a picture or mask but no depth; left out"}));
+}
+
 TEST(DepthTake, NamesWrongIntrinsics) {
   Stream stream(R"({"fx": 20, "cx": 31.5, "cy": 23.5, "depth_unit_mm": 0.1})");
   stream.frame(0);
   EXPECT_EQ(
-      message_of([&] { stream.read(); }),
+      why_nothing_is_left(stream),
       "take a: none of its 1 frames is left; frame 0: what is measured is 1242 mm wide, expected 60 to 1200: are fx "
-      "and the unit of depth those of this camera?");
+      "and the unit of depth those of this camera?; the take is left out");
   std::string xyz;
   for (int i = 0; i < width * height; ++i) {
     const double z = 0.1 * ball()[static_cast<std::size_t>(i)];
@@ -261,10 +285,11 @@ TEST(DepthTake, NamesWrongIntrinsics) {
   }
   Stream cloud;
   cloud.write("cloud/a/0.xyz", xyz);
-  EXPECT_EQ(message_of([&] { cloud.read(); }),
+  EXPECT_EQ(why_nothing_is_left(cloud),
             "take a: none of its 1 frames is left; frame 0: the intrinsics bring the points of cloud/a/0.xyz 4.2 px "
             "beside their "
-            "pixels (median), expected at most 2: fx, fy, cx and cy are not those of this camera");
+            "pixels (median), expected at most 2: fx, fy, cx and cy are not those of this camera; the take is left "
+            "out");
 }
 
 TEST(DepthTake, SaysWhichFileOfAFrameIsEmptyOrBroken) {
@@ -297,9 +322,9 @@ TEST(DepthTake, ReadsAMaskThatIsAColourPicture) {
 TEST(DepthTake, SaysThatAUnitIsNotGiven) {
   Stream stream(R"({"fx": 200, "cx": 31.5, "cy": 23.5, "rate_hz": 40})");
   stream.frame(0);
-  EXPECT_EQ(message_of([&] { stream.read(); }),
+  EXPECT_EQ(why_nothing_is_left(stream),
             "take a: none of its 1 frames is left; frame 0: its median depth is 8442 mm, expected 150 to 4000: is the "
-            "unit of depth 0.1 mm? camera.json has no depth_unit_mm, so that 1 mm is taken");
+            "unit of depth 0.1 mm? camera.json has no depth_unit_mm, so that 1 mm is taken; the take is left out");
 }
 
 TEST(DepthTake, RejectsACameraFileThatCannotBe) {
@@ -334,19 +359,4 @@ TEST(DepthTake, RejectsAFolderWithoutCameraOrFrames) {
   engine::Progress quiet;
   EXPECT_THROW_TEXT(depth_take(engine::File::folder("/x/stream", {}), "a", none, {}, quiet),
                     "stream: has no camera.json, which says fx, fy, cx and cy");
-}
-
-TEST(ListTakes, NamesTheFoldersOfDepthAndClouds) {
-  const engine::File folder = engine::File::folder(
-      "/x/stream",
-      {{"camera.json", ""}, {"cloud/b/1.ply", ""}, {"depth/a/1.png", ""}, {"depth/a/2.png", ""}, {"mask/c/1.png", ""}});
-  std::vector<std::string> names;
-  engine::SeqWriter<std::string> takes([&](std::string id, std::string take) {
-    EXPECT_EQ(id, take);
-    names.push_back(take);
-  });
-  list_takes(folder, takes);
-  EXPECT_EQ(names, (std::vector<std::string>{"a", "b"}));
-  EXPECT_THROW_TEXT(list_takes(engine::File::folder("/x/stream", {{"a.png", ""}}), takes),
-                    "stream: has no files like depth/TAKE/17.png or cloud/TAKE/17.ply among its 1");
 }

@@ -330,6 +330,15 @@ TEST(JoinTakes, PutsTakesOneAfterTheOther) {
   EXPECT_EQ(joined.phones.duration_s, 2);
 }
 
+TEST(JoinTakes, RejectsTakesInAnotherOrder) {
+  const Phones a{{{"AA", 0, 1, "a", 0}}, 1, true};
+  const Timeline t{{0, 0.5}, 1};
+  Heard heard;
+  EXPECT_THROW_TEXT(
+      join_takes(engine::Seq<Phones>({a, a}, {"2", "10"}), engine::Seq<Timeline>({t, t}, {"10", "2"}), heard),
+      "phones has take 2 at 0, timelines take 10");
+}
+
 TEST(JoinTakes, NamesATakeWhoseSoundIsNotItsOwn) {
   const Phones a{{{"AA", 0, 1, "a", 0}}, 1, true};
   const Timeline short_one{{0, 0.5, 1.0}, 1.5}, long_one{{0, 0.5, 1.0, 1.5}, 2};
