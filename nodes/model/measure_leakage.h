@@ -21,8 +21,12 @@ struct MeasureLeakageOptions {
 // independent from frame to frame: the same prediction of the movement moved round in time by each of 256 equal steps,
 // so that nothing can be known of it (Theiler et al., Testing for nonlinearity in time series: the method of surrogate
 // data, 1992; circular shifts keep the spectrum).
+// What they know in frames that did not teach the prediction is counted as well, in each of ten runs of frames that
+// follow one another by the nine others (Stone, Cross-validatory choice and assessment of statistical predictions,
+// 1974): no coincidence helps there, and less than nothing is a prediction that is worse than the mean.
 // One row, named after the shape: leakage_percent; by_chance_percent, the mean of those; likely_by_chance_percent,
-// which one in twenty of them exceeds; frames. NaN where the movement never changes.
+// which one in twenty of them exceeds; frames; elsewhere_percent. NaN where the movement never changes, the last also
+// where there are few frames.
 Table measure_leakage(const engine::Seq<Weights>& coefficients, const engine::Seq<Weights>& truth,
                       const MeasureLeakageOptions& options = {});
 

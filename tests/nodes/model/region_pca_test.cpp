@@ -179,6 +179,7 @@ TEST(MeasureLeakage, TellsWhatCoefficientsExplain) {
   const Table table = measure_leakage(engine::Seq<Weights>(coefficients), all, {.components = 1});
   EXPECT_EQ(table.rows[0].name, "eyeBlinkLeft");
   EXPECT_NEAR(table.rows[0].values[0], 36, 4);
+  EXPECT_NEAR(table.rows[0].values[4], 36, 4);
   coefficients[7] = {};
   EXPECT_EQ(measure_leakage(engine::Seq<Weights>(coefficients), all).rows[0].values[3], 4999);
   for (Weights& w : truth) w.values[0] = 1;
@@ -219,6 +220,9 @@ TEST(MeasureLeakage, TellsCoincidenceFromKnowledge) {
   EXPECT_LT(slow[0], slow[2]);
   EXPECT_GT(known[0], 75);  // 4 of 5 of the variance of one coefficient
   EXPECT_GT(known[0], known[2] + 30);
+  EXPECT_LT(fast[4], 0);  // what coincidence teaches is wrong elsewhere
+  EXPECT_LT(slow[4], 0);
+  EXPECT_GT(known[4], 70);
 }
 
 TEST(ProjectShape, GivesNoCoefficientsToALostFrame) {
