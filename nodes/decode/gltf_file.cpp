@@ -7,16 +7,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/decode/glb.h"
+#include "nodes/decode/gltf_compression.h"
 #include "nodes/decode/input_file.h"
 
 namespace face::decode {
 namespace {
-
-constexpr const char* draco = "KHR_draco_mesh_compression";
-constexpr const char* meshopt = "EXT_meshopt_compression";
 
 // Lets tinygltf read what the node was given, and nothing else.
 tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
@@ -45,29 +45,6 @@ tinygltf::FsCallbacks callbacks_for(const engine::File& file) {
   return callbacks;
 }
 
-[[noreturn]] void refuse(const std::string& title, const char* extension, const char* advice) {
-  fail(title, ": its meshes are compressed (", extension, "), which is not read: ", advice);
-}
-
-[[noreturn]] void refuse_meshopt(const std::string& title) {
-  refuse(title, meshopt, "export it again without gltfpack's -c or -cc");
-}
-
-// Meshes in these are not where glTF has them.
-void refuse_compressed(const tinygltf::Model& model, const std::string& title) {
-  const auto plain = [&](int index) {
-    const auto at = static_cast<std::size_t>(std::max(index, 0));
-    return at < model.accessors.size() && (model.accessors[at].bufferView >= 0 || model.accessors[at].sparse.isSparse);
-  };
-  for (const tinygltf::Mesh& mesh : model.meshes)
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-      for (const auto& [name, accessor] : primitive.attributes)
-        if (primitive.extensions.contains(draco) && !plain(accessor))
-          refuse(title, draco, "export it without compression (in Blender: Data > Compression off)");
-  for (const tinygltf::BufferView& view : model.bufferViews)
-    if (view.extensions.contains(meshopt)) refuse_meshopt(title);
-}
-
 std::vector<const engine::File::Entry*> gltf_entries(const engine::File& folder) {
   std::vector<const engine::File::Entry*> found;
   for (const engine::File::Entry& entry : folder.entries())
@@ -93,9 +70,9 @@ engine::File gltf_main_file(const engine::File& file) {
 
 tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {
   const std::string title = title_of(main);
-  const std::string bytes = read_bytes(main);
+  std::string bytes = read_bytes(main);
   check(!bytes.empty(), title, ": is empty (0 bytes), expected a GLB or glTF file");
-  const bool binary = bytes.starts_with("glTF");
+  bool binary = bytes.starts_with("glTF");
   const std::size_t text = bytes.find_first_not_of(" \t\r\n");
   if (!binary && (text == std::string::npos || (bytes[text] != '{' && !bytes.starts_with("\xEF\xBB\xBF"))))
     fail(title,
@@ -106,6 +83,14 @@ tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {
     for (std::size_t i = 12; i-- > 8;) stated = stated << 8 | static_cast<std::uint8_t>(bytes[i]);
     if (stated > bytes.size())
       fail(title, ": is truncated: found ", bytes.size(), " bytes, its header promises ", stated);
+  }
+  if (mentions_compression(bytes)) {
+    nlohmann::json document;
+    std::string buffer;
+    if (read_glb(given, document, buffer)) {
+      bytes = glb_bytes(std::move(document), std::move(buffer));
+      binary = true;
+    }
   }
   tinygltf::TinyGLTF loader;
   loader.SetFsCallbacks(callbacks_for(given));
@@ -125,12 +110,10 @@ tinygltf::Model load_gltf(const engine::File& given, const engine::File& main) {
                            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
   std::replace(error.begin(), error.end(), '\n', ' ');
   while (!error.empty() && error.back() == ' ') error.pop_back();
-  if (!read && bytes.find(meshopt) != std::string::npos) refuse_meshopt(title);  // its buffers stand nowhere
   if (!read && !given.is_folder() && !binary && error.find("not found") != std::string::npos)
     fail(title, ": its buffers lie in files beside it: give the folder that holds them all, or export one .glb (",
          error, ")");
   if (!read) fail(title, ": cannot be read as glTF: ", error.empty() ? "it is damaged" : error);
-  refuse_compressed(model, title);
   return model;
 }
 

@@ -19,9 +19,8 @@ std::optional<engine::File> find_gltf(const engine::File& file);
 // The same; throws where there is none.
 engine::File gltf_main_file(const engine::File& file);
 
-// Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are
-// as encoded as in the file. Throws with the
-// file's name where it is none, or damaged, or compressed by an extension that is not read (Draco, meshopt).
+// Reads it; what it refers to is looked for in what was given, and nowhere else. Pictures are as encoded as in the
+// file; meshes that Draco or meshopt packed are unpacked. Throws with the file's name where it is none, or damaged.
 tinygltf::Model load_gltf(const engine::File& given, const engine::File& main);
 
 // The name of a morph target: where exporters write it, that is extras.targetNames of the mesh, or of the primitive

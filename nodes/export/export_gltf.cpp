@@ -13,6 +13,7 @@
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
 #include "nodes/base/srgb.h"
+#include "nodes/decode/glb.h"
 #include "nodes/export/animate_original.h"
 #include "nodes/export/gltf_animation.h"
 #include "nodes/export/gltf_buffer.h"
@@ -285,7 +286,7 @@ engine::File export_gltf(const Rig& rig, const engine::Seq<Weights>& frames, con
   document["animations"] = json::array({animation_of({{0, weight_rows(rig, frames)}}, timeline, buffer)});
   document["accessors"] = std::move(buffer.accessors);
   document["bufferViews"] = std::move(buffer.views);
-  return engine::File::from_bytes(glb_bytes(std::move(document), std::move(buffer.bytes)), ".glb");
+  return engine::File::from_bytes(decode::glb_bytes(std::move(document), std::move(buffer.bytes)), ".glb");
 }
 
 }  // namespace face::exports

@@ -3,25 +3,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
-
-#include "nodes/base/check.h"
 
 namespace face::exports {
 namespace {
 
-// Constants of the glTF 2.0 specification, sections 3.6.2.2 and 4.4.
+// Constants of the glTF 2.0 specification, section 3.6.2.2.
 constexpr int float_component = 5126;
 constexpr int uint_component = 5125;
-constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
-
-void append_uint(std::string& out, std::uint32_t value) {
-  char bytes[4];
-  std::memcpy(bytes, &value, 4);
-  out.append(bytes, 4);
-}
 
 void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
 
@@ -110,28 +100,6 @@ int GltfBuffer::add_sparse_vectors(std::size_t count, const std::vector<std::uin
                           {"values", {{"bufferView", values_view}}}};
   }
   return add_accessor(std::move(accessor));
-}
-
-std::string glb_bytes(nlohmann::json document, std::string binary) {
-  pad(binary, '\0');
-  document["buffers"][0] = {{"byteLength", binary.size()}};
-  std::string text = document.dump();
-  pad(text, ' ');
-  const std::size_t size = 12 + 8 + text.size() + 8 + binary.size();
-  check(size <= std::numeric_limits<std::uint32_t>::max(), "the GLB would have ", size,
-        " bytes, which is more than the ", std::numeric_limits<std::uint32_t>::max(), " that the format can hold");
-  std::string out;
-  out.reserve(size);
-  append_uint(out, glb_magic);
-  append_uint(out, 2);
-  append_uint(out, static_cast<std::uint32_t>(size));
-  append_uint(out, static_cast<std::uint32_t>(text.size()));
-  append_uint(out, json_chunk);
-  out += text;
-  append_uint(out, static_cast<std::uint32_t>(binary.size()));
-  append_uint(out, binary_chunk);
-  out += binary;
-  return out;
 }
 
 }  // namespace face::exports

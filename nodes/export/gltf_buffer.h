@@ -37,7 +37,4 @@ class GltfBuffer {
   int add_accessor(nlohmann::json accessor);
 };
 
-// A .glb of a JSON document and its binary chunk, which is the document's first buffer: that is set here.
-std::string glb_bytes(nlohmann::json document, std::string binary);
-
 }  // namespace face::exports

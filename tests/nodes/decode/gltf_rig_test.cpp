@@ -219,24 +219,6 @@ TEST(GltfRig, ReadsQuantisedMeshes) {
   EXPECT_NEAR(rig.shapes[arkit_index("jawOpen")].offsets_mm[0][1], -20, 0.1);
 }
 
-TEST(GltfRig, RefusesCompressedMeshesAndSaysWhatToDo) {
-  const std::string plain = square_gltf(six_names);
-  EXPECT_THROW_TEXT(
-      read(with(
-          with(
-              plain, R"("material":0,)",
-              R"("material":0,"extensions":{"KHR_draco_mesh_compression":{"bufferView":1,"attributes":{"POSITION":0}}},)"),
-          R"({"bufferView":0,"componentType":5126,)", R"({"componentType":5126,)")),
-      "head.gltf: its meshes are compressed (KHR_draco_mesh_compression), which is not read: export it "
-      "without compression (in Blender: Data > Compression off)");
-  EXPECT_THROW_TEXT(
-      read(with(
-          plain, R"({"buffer":0,"byteLength":60})",
-          R"({"buffer":0,"byteLength":60,"extensions":{"EXT_meshopt_compression":{"buffer":0,"byteLength":60,"byteStride":12,"count":5,"mode":"ATTRIBUTES"}}})")),
-      "head.gltf: its meshes are compressed (EXT_meshopt_compression), which is not read: export it "
-      "again without gltfpack's -c or -cc");
-}
-
 TEST(GltfRig, RefusesNodesThatAreNoTree) {
   EXPECT_THROW_TEXT(read(with(square_gltf(six_names), R"({"mesh":0,)", R"({"mesh":0,"children":[0],)")),
                     "head.gltf: node 0 has two parents, or is its own ancestor, expected a tree of nodes");
