@@ -11,18 +11,22 @@
 #include "nodes/model/light_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/model/skin_modes.h"
+#include "nodes/render/camera.h"
 #include "nodes/render/mouth_light.h"
 #include "nodes/render/rgb_image.h"
+#include "nodes/texture/follow_face.h"
 #include "nodes/texture/posed_face.h"
 
 namespace face::texture {
 namespace {
 
 // Where drawing fades, mm: below the eyes, above the neck, in front of the ears.
-constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 14, chin_fade_mm = 20, ears_fade_mm = 22;
+constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 2, chin_fade_mm = 12, ears_fade_mm = 22;
 
-constexpr double over_skin = 1.2;     // of teeth over skin, sRGB values
-constexpr double full_albedo = 0.75;  // of what looks like that in full light: teeth
+constexpr double revealed_mm = 5;           // width of a place where the face is no more, from which it is uncovered
+constexpr double revealed_margin_mm = 1.5;  // by which it is widened: a fit is never exact
+constexpr double over_skin = 1.2;           // of teeth over skin, sRGB values
+constexpr double full_albedo = 0.75;        // of what looks like that in full light: teeth
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -77,6 +81,18 @@ std::array<double, 3> white_shown(const AlbedoMap& map, const model::SkinAtlas& 
   return white;
 }
 
+// How much of a vertex's motion the picture beside the face follows: all at the mouth and below, nothing above the
+// nose's base. V; without landmarks nothing.
+std::vector<float> followed_share(const Rig& person) {
+  const std::vector<Vec3f>& points = person.neutral.points_mm;
+  std::vector<float> share(points.size(), 0.0f);
+  if (person.landmarks68.size() != 68) return share;
+  const float mouth = 0.5f * (points[person.landmarks68[48]][1] + points[person.landmarks68[54]][1]);
+  const float nose = points[person.landmarks68[33]][1];
+  for (std::size_t v = 0; v < points.size(); ++v) share[v] = 1 - smooth_step(mouth, nose, points[v][1]);
+  return share;
+}
+
 }  // namespace
 
 std::vector<float> drawn_share(const Rig& person) {
@@ -95,8 +111,8 @@ std::vector<float> drawn_share(const Rig& person) {
   return share;
 }
 
-FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
-                    int samples) {
+FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm,
+                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, int samples) {
   check(albedo.width > 0 && albedo.height > 0 &&
             albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
         "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
@@ -108,7 +124,10 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   check(std::all_of(uvs.begin(), uvs.end(), [](const Vec2f& uv) { return std::isfinite(uv[0] + uv[1]); }),
         "person has a uv that is not a number, or infinite");
   const Mesh& mesh = person.neutral;
+  check(was_mm.size() == points_mm.size(), "was_mm has ", was_mm.size(), " vertices, points_mm ", points_mm.size());
   const PosedFace face = pose_face(mesh, points_mm, fit, samples);
+  const std::vector<render::ScreenPoint> was = render::project(render::supersampled(fit.camera, samples), was_mm);
+  const std::vector<float> followed = followed_share(person);
   const std::vector<float> share = drawn_share(person);
   const std::vector<render::Triangle> corners = model::uv_corners(mesh, face.solid);
   const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
@@ -125,6 +144,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   layer.colour.assign(pixels, Vec3f{0, 0, 0});
   layer.alpha.assign(pixels, 0.0f);
   layer.cover.assign(pixels, 0.0f);
+  layer.shift_px.assign(pixels, Vec2f{0, 0});
   const float part_of_pixel = 1.0f / static_cast<float>(samples * samples);
   const auto width = static_cast<float>(albedo.width), height = static_cast<float>(albedo.height);
   for (int y = 0; y < face.raster.height_px; ++y)
@@ -141,11 +161,15 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
       const Vec3f b = render::barycentrics_at(face.screen, triangle, static_cast<float>(x), static_cast<float>(y));
       float drawn = 0, exposure = 0;
       double parallel = 0;
+      Vec2f shift{};
       Vec3f colour{};
       for (std::size_t i = 0; i < 3; ++i) {
         drawn += b[i] * (is_mouth ? 1.0f : share[triangle[i]]);
         exposure += b[i] * mouth.exposure[triangle[i]];
         parallel += static_cast<double>(b[i]) * face.parallel[triangle[i]];
+        const std::uint32_t vertex = triangle[i];
+        shift[0] += b[i] * followed[vertex] * (face.screen[vertex].x_px - was[vertex].x_px);
+        shift[1] += b[i] * followed[vertex] * (face.screen[vertex].y_px - was[vertex].y_px);
         for (std::size_t c = 0; c < 3; ++c) colour[c] += b[i] * own[triangle[i]][c];
       }
       drawn = std::clamp(drawn, 0.0f, 1.0f);
@@ -166,25 +190,25 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
         value[c] = white[c] * srgb_of(arrives * colour[c]) / srgb_of(full_albedo);
       }
       layer.alpha[pixel] += drawn * part_of_pixel;
+      for (std::size_t k = 0; k < 2; ++k)
+        layer.shift_px[pixel][k] += drawn * part_of_pixel * shift[k] / static_cast<float>(samples);
       for (std::size_t c = 0; c < 3; ++c)
         layer.colour[pixel][c] += drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));
     }
   return layer;
 }
 
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask,
-               double margin_px) {
-  const Image front = render::rgb_image(picture), back = render::rgb_image(background);
-  check(front.width == layer.width && front.height == layer.height, "the picture is ", front.width, " x ", front.height,
-        " pixels, the fit was made on ", layer.width, " x ", layer.height);
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask, double scale) {
+  const Image front = follow_face(layer, picture, mask, scale), back = render::rgb_image(background);
   check(back.width == layer.width && back.height == layer.height, "the background is ", back.width, " x ", back.height,
         " pixels, expected ", layer.width, " x ", layer.height);
-  // Where a face was and is no more, by more than a thin line, widened by the margin.
+  // Where a face was and is no more, by more than a thin line, which follow_face takes care of; widened by the margin.
   cv::Mat revealed(layer.height, layer.width, CV_8U), soft;
   for (std::size_t i = 0; i < layer.cover.size(); ++i)
     revealed.data[i] = mask.pixels[i] > 127 && layer.cover[i] < 0.5f ? 255 : 0;
-  cv::morphologyEx(revealed, revealed, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
-  const int margin = std::max(1, static_cast<int>(std::lround(margin_px)));
+  const int line = std::max(2, static_cast<int>(std::lround(revealed_mm * scale)));
+  cv::morphologyEx(revealed, revealed, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {line, line}));
+  const int margin = std::max(1, static_cast<int>(std::lround(revealed_margin_mm * scale)));
   cv::dilate(revealed, revealed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}));
   cv::GaussianBlur(revealed, soft, {0, 0}, 0.7);
   Image result = front;

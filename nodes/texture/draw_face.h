@@ -12,27 +12,25 @@ namespace face::texture {
 // A face drawn with a fit's camera and light, to be laid over its picture.
 struct FaceLayer {
   int width = 0, height = 0;
-  std::vector<Vec3f> colour;  // height x width, sRGB in [0, 1], times alpha
-  std::vector<float> alpha;   // how much the drawn face replaces the picture
-  std::vector<float> cover;   // how much of the pixel is face, whether drawn or left
+  std::vector<Vec3f> colour;    // height x width, sRGB in [0, 1], times alpha
+  std::vector<float> alpha;     // how much the drawn face replaces the picture
+  std::vector<float> cover;     // how much of the pixel is face, whether drawn or left
+  std::vector<Vec2f> shift_px;  // how far what is drawn there has moved, times alpha; 0 above the mouth
 };
 
-// How much of a vertex is drawn anew: 1 from the cheeks to under the chin and inside the mouth; 0 at the eyes and
-// above, at the ears and at the neck, which keep the picture. In between it fades, so that the drawing has no edge.
-// person: its 68 landmarks; without them all is 1.
+// How much of a vertex is drawn anew: 1 from the cheeks to the chin and inside the mouth; 0 at the eyes and above, at
+// the ears, under the chin and at the neck, which keep the picture (follow_face.h). In between it fades, so that the
+// drawing has no edge. person: its 68 landmarks; without them all is 1.
 std::vector<float> drawn_share(const Rig& person);
 
-// points_mm: the person's vertices, posed. The skin takes its colour from the map, everything else from the mesh; the
-// mouth is darker the deeper, as render::mouth_light says. samples: per pixel and axis.
-FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm, const FaceFit& fit,
-                    int samples);
+// points_mm: the person's vertices, posed. was_mm: where they are in the picture. The skin takes its colour from the
+// map, everything else from the mesh; the mouth is darker the deeper, as render::mouth_light says. samples: per pixel
+// and axis.
+FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm,
+                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, int samples);
 
-// By which the place where a face is no more is widened: a fit is never exact.
-inline constexpr double revealed_margin_mm = 1.5;
-
-// The layer over the picture; where a face was by the mask (grey) and is no more, the background. margin_px: by which
-// that place is widened.
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask,
-               double margin_px);
+// The layer over the picture, which moves with it (follow_face.h); where a face was by the mask (grey) and is no more,
+// the background. scale: pixels per mm of the face.
+Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask, double scale);
 
 }  // namespace face::texture

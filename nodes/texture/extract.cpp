@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/quantile.h"
 #include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/render/rgb_image.h"
+#include "nodes/texture/continue_background.h"
 #include "nodes/texture/fill_ratio.h"
 #include "nodes/texture/posed_face.h"
 
@@ -17,17 +19,39 @@ namespace face::texture {
 namespace {
 
 constexpr float depth_slack_mm = 3;     // of a texel behind what the pixel shows
+constexpr double step_mm = 10;          // of depth from a pixel to the next, from which one hides the other
+constexpr double steepest = 6;          // slope of skin that is still read where pixels are large
 constexpr double darkest_light = 0.03;  // below, its inverse is noise
 constexpr double open_gap_mm = 0.5;     // from which a mouth may show teeth
 constexpr float rim_mm = 2;             // of the lips that is not read then; twice as far all counts
-constexpr float sure_weight = 0.12f;    // from which a texel is the picture's alone
+constexpr double teeth_mm = 6,
+                 lips_mm = 10;            // from the rim, as far as a fit that is off may paint teeth; where lips are
+constexpr double pale = 0.2, dark = 0.5;  // logarithms: less red than lips, less bright, from which it is none
+constexpr float far_mm = 1e3;
+constexpr float sure_weight = 0.12f;  // from which a texel is the picture's alone
 
-// How many pixels every skin pixel is from one that shows something else, at most 3.
-std::vector<std::uint8_t> pixels_to_edge(const PosedFace& face) {
+// How many pixels every skin pixel is from one that shows something else, at most 3: no skin, or skin far behind or in
+// front of it, as neck beside the chin's outline.
+std::vector<std::uint8_t> pixels_to_edge(const PosedFace& face, double mm_per_px) {
   const render::Raster& raster = face.raster;
+  const double step = std::max(step_mm, steepest * mm_per_px);
   std::vector<std::uint8_t> distance(raster.triangles.size());
   for (std::size_t i = 0; i < distance.size(); ++i)
     distance[i] = raster.triangles[i] >= 0 && face.skin[static_cast<std::size_t>(raster.triangles[i])] ? 3 : 0;
+  const auto step_apart = [&](std::size_t a, std::size_t b) {
+    return distance[a] > 0 && distance[b] > 0 &&
+           std::abs(1 / raster.inverse_depth_per_mm[a] - 1 / raster.inverse_depth_per_mm[b]) > step;
+  };
+  std::vector<std::size_t> at_step;
+  for (int y = 0; y < raster.height_px; ++y)
+    for (int x = 0; x < raster.width_px; ++x) {
+      const std::size_t here = raster.index(x, y);
+      if (x + 1 < raster.width_px && step_apart(here, raster.index(x + 1, y)))
+        at_step.insert(at_step.end(), {here, raster.index(x + 1, y)});
+      if (y + 1 < raster.height_px && step_apart(here, raster.index(x, y + 1)))
+        at_step.insert(at_step.end(), {here, raster.index(x, y + 1)});
+    }
+  for (const std::size_t i : at_step) distance[i] = 1;
   for (int pass = 1; pass < 3; ++pass) {
     std::vector<std::uint8_t> next = distance;
     for (int y = 0; y < raster.height_px; ++y)
@@ -46,14 +70,12 @@ std::vector<std::uint8_t> pixels_to_edge(const PosedFace& face) {
   return distance;
 }
 
-// 0 at the inner rim of the lips of an open mouth, 1 a little away from it: a fit that is off by a pixel paints teeth
-// on the lips there. 1 everywhere where the mouth is closed, or the model has no landmarks.
-std::vector<float> away_from_teeth(const MorphableModel& model, const FaceFit& fit) {
+// How far every vertex is from the inner rim of the lips, mm; far where the mouth is closed, or without landmarks.
+std::vector<float> from_rim(const MorphableModel& model, const FaceFit& fit) {
   const std::vector<Vec3f>& points = model.mean.points_mm;
-  std::vector<float> share(points.size(), 1.0f);
-  if (fit.lip_gap_mm < open_gap_mm || model.landmarks68.size() != 68) return share;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    float nearest = 1e9f;
+  std::vector<float> distance_mm(points.size(), far_mm);
+  if (fit.lip_gap_mm < open_gap_mm || model.landmarks68.size() != 68) return distance_mm;
+  for (std::size_t v = 0; v < points.size(); ++v)
     for (std::size_t i = 0; i < 8; ++i)
       for (int step = 0; step < 4; ++step) {
         const Vec3f &a = points[model.landmarks68[60 + i]], &b = points[model.landmarks68[60 + (i + 1) % 8]];
@@ -63,11 +85,37 @@ std::vector<float> away_from_teeth(const MorphableModel& model, const FaceFit& f
           const float d = points[v][k] - a[k] - t * (b[k] - a[k]);
           squares += d * d;
         }
-        nearest = std::min(nearest, std::sqrt(squares));
+        distance_mm[v] = std::min(distance_mm[v], std::sqrt(squares));
       }
-    share[v] = std::clamp((nearest - rim_mm) / rim_mm, 0.0f, 1.0f);
+  return distance_mm;
+}
+
+// Of a texel read as `albedo` where the model has `estimate`: how much redder and how much brighter it is, logarithms.
+std::array<double, 2> unlike(const Vec3f& albedo, const Vec3f& estimate) {
+  const auto ratio = [&](std::size_t c) { return std::log(static_cast<double>(albedo[c]) / estimate[c]); };
+  return {ratio(0) - ratio(1), model::luma[0] * ratio(0) + model::luma[1] * ratio(1) + model::luma[2] * ratio(2)};
+}
+
+// Takes the trust from what is no lip about an open mouth: teeth are paler than lips, the mouth's inside is darker.
+// What lips are is the median of those that are safely away from the rim. from_lips_mm: of every texel.
+void distrust_teeth(const std::vector<float>& from_lips_mm, const std::vector<Vec3f>& estimate, AlbedoMap& map) {
+  std::vector<double> redder, brighter;
+  for (std::size_t i = 0; i < from_lips_mm.size(); ++i) {
+    if (map.weight[i] <= 0 || from_lips_mm[i] < teeth_mm || from_lips_mm[i] > lips_mm) continue;
+    const auto [red, bright] = unlike(map.albedo[i], estimate[i]);
+    redder.push_back(red);
+    brighter.push_back(bright);
   }
-  return share;
+  if (redder.empty()) return;
+  const double red_lips = median(redder), bright_lips = median(brighter);
+  for (std::size_t i = 0; i < from_lips_mm.size(); ++i) {
+    if (map.weight[i] <= 0 || from_lips_mm[i] > lips_mm) continue;
+    const auto [red, bright] = unlike(map.albedo[i], estimate[i]);
+    const double paler = std::max(0.0, red_lips - red) / pale, darker = std::max(0.0, bright_lips - bright) / dark;
+    const double odd = std::pow(paler, 4) + std::pow(darker, 4);
+    const double near_rim = std::clamp((lips_mm - from_lips_mm[i]) / (lips_mm - teeth_mm), 0.0, 1.0);
+    map.weight[i] *= static_cast<float>(1 - near_rim * odd / (1 + odd));
+  }
 }
 
 std::array<double, 3> bilinear(const Image& image, double x, double y) {
@@ -96,8 +144,8 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   const Image rgb = render::rgb_image(picture);
   const PosedFace face = pose_face(model.mean, model::pose_model(model, fit.identity, fit.expression), fit, 1);
   const std::vector<Vec3f> model_albedo = model::albedo_of(model, fit.albedo);
-  const std::vector<float> readable = away_from_teeth(model, fit);
-  const std::vector<std::uint8_t> to_edge = pixels_to_edge(face);
+  const std::vector<float> rim = from_rim(model, fit);
+  const std::vector<std::uint8_t> to_edge = pixels_to_edge(face, 1 / face_scale_px(fit));
   const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
   AlbedoMap map;
   map.width = map.height = static_cast<int>(options.size_px);
@@ -106,6 +154,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   map.albedo.assign(count, Vec3f{0, 0, 0});
   map.weight.assign(count, 0.0f);
   std::vector<Vec3f> estimate(count, Vec3f{0, 0, 0});
+  std::vector<float> texel_rim(count, far_mm);
   const Vec3f& eye = fit.camera.position_mm;
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
@@ -114,7 +163,8 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       const auto& triangle = atlas.triangles[static_cast<std::size_t>(texels.raster.triangles[texel])];
       const Vec3f b = texels.weights_at(atlas, x, y);
       Vec3f point{}, normal{}, own{};
-      double parallel = 0, trusted = 0, sx = 0, sy = 0, depth = 0;
+      float from_lips = 0;
+      double parallel = 0, sx = 0, sy = 0, depth = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle[i];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -123,12 +173,14 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
           own[k] += b[i] * model_albedo[v][k];
         }
         parallel += static_cast<double>(b[i]) * face.parallel[v];
-        trusted += static_cast<double>(b[i]) * readable[v];
+        from_lips += b[i] * rim[v];
         sx += static_cast<double>(b[i]) * face.screen[v].x_px;
         sy += static_cast<double>(b[i]) * face.screen[v].y_px;
         depth += static_cast<double>(b[i]) * face.screen[v].depth_mm;
       }
       for (float& value : own) value = std::max(value, 1e-3f);
+      texel_rim[texel] = from_lips;
+      const double trusted = std::clamp((from_lips - rim_mm) / rim_mm, 0.0f, 1.0f);
       estimate[texel] = map.albedo[texel] = own;
       const long px = std::lround(sx), py = std::lround(sy);
       if (px < 0 || py < 0 || px >= rgb.width || py >= rgb.height) continue;
@@ -152,6 +204,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       }
       map.weight[texel] = static_cast<float>(weight);
     }
+  distrust_teeth(texel_rim, estimate, map);
   fill_ratio(estimate, sure_weight, map);
   return map;
 }

@@ -6,6 +6,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
+#include "nodes/model/pose_model.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
 #include "nodes/texture/face_mask.h"
@@ -20,6 +21,7 @@ Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap&
   const Weights& now = weights.centre();
   const Weights& next = weights[std::min(weights.centre_index() + 1, weights.size() - 1)];
   const Image mask = face_mask(model, fit);
+  const std::vector<Vec3f> was = model::pose_model(model, fit.identity, fit.expression);
   FaceLayer sum;
   for (std::int64_t m = 0; m < options.moments; ++m) {
     const float t = static_cast<float>(m) / static_cast<float>(options.moments);
@@ -28,21 +30,23 @@ Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap&
     for (std::size_t k = 0; k < next.values.size(); ++k) between.values[k] += t * (next.values[k] - between.values[k]);
     for (std::size_t k = next.values.size(); k < between.values.size(); ++k) between.values[k] *= 1 - t;
     const FaceLayer layer =
-        draw_face(person, albedo, pose_points(person, between), fit, static_cast<int>(options.samples));
+        draw_face(person, albedo, pose_points(person, between), was, fit, static_cast<int>(options.samples));
     const float share = 1.0f / static_cast<float>(options.moments);
     if (m == 0) {
       sum = layer;
       for (Vec3f& c : sum.colour) c = {0, 0, 0};
       std::fill(sum.alpha.begin(), sum.alpha.end(), 0.0f);
       std::fill(sum.cover.begin(), sum.cover.end(), 0.0f);
+      for (Vec2f& shift : sum.shift_px) shift = {0, 0};
     }
     for (std::size_t i = 0; i < sum.alpha.size(); ++i) {
       sum.alpha[i] += share * layer.alpha[i];
       sum.cover[i] += share * layer.cover[i];
+      for (std::size_t k = 0; k < 2; ++k) sum.shift_px[i][k] += share * layer.shift_px[i][k];
       for (std::size_t c = 0; c < 3; ++c) sum.colour[i][c] += share * layer.colour[i][c];
     }
   }
-  return lay_over(sum, frame, background, mask, revealed_margin_mm * face_scale_px(fit));
+  return lay_over(sum, frame, background, mask, face_scale_px(fit));
 }
 
 }  // namespace face::texture

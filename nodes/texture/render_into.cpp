@@ -12,11 +12,10 @@ namespace face::texture {
 Image render_into(const MorphableModel& model, const Rig& person, const AlbedoMap& albedo, const FaceFit& fit,
                   const Image& picture, const Image* background, const Weights* weights,
                   const RenderIntoOptions& options) {
-  const std::vector<Vec3f> points =
-      weights != nullptr ? pose_points(person, *weights) : model::pose_model(model, fit.identity, fit.expression);
-  return lay_over(draw_face(person, albedo, points, fit, static_cast<int>(options.samples)), picture,
-                  background != nullptr ? *background : picture, face_mask(model, fit),
-                  revealed_margin_mm * face_scale_px(fit));
+  const std::vector<Vec3f> was = model::pose_model(model, fit.identity, fit.expression);
+  const std::vector<Vec3f> points = weights != nullptr ? pose_points(person, *weights) : was;
+  return lay_over(draw_face(person, albedo, points, was, fit, static_cast<int>(options.samples)), picture,
+                  background != nullptr ? *background : picture, face_mask(model, fit), face_scale_px(fit));
 }
 
 }  // namespace face::texture

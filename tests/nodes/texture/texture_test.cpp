@@ -9,11 +9,13 @@
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/model/track_video.h"
+#include "nodes/render/camera.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
 #include "nodes/texture/extract.h"
 #include "nodes/texture/face_mask.h"
 #include "nodes/texture/fill_ratio.h"
+#include "nodes/texture/follow_face.h"
 #include "nodes/texture/neutralise.h"
 #include "nodes/texture/reanimate.h"
 #include "nodes/texture/render_into.h"
@@ -78,8 +80,8 @@ Image drawn(const FaceFit& fit, const AlbedoMap& map, const Weights& weights) {
   const Image paper = test::blank(320, 320, 90);
   Rig person = test::head();
   person.landmarks68.clear();  // drawn whole
-  return lay_over(draw_face(person, map, pose_points(person, weights), fit, 3), paper, paper,
-                  face_mask(test::head_model(), fit), 1);
+  const std::vector<Vec3f> points = pose_points(person, weights);
+  return lay_over(draw_face(person, map, points, points, fit, 3), paper, paper, face_mask(test::head_model(), fit), 1);
 }
 
 TEST(Extract, GetsBackTheColoursThatWereDrawn) {
@@ -113,6 +115,93 @@ TEST(Extract, TakesWhatIsNotSeenFromTheModel) {
 TEST(Extract, RejectsAPictureOfAnotherSize) {
   EXPECT_THROW_TEXT(extract(test::head_model(), test::blank(10, 10), true_fit(0)),
                     "the picture is 10 x 10 pixels, the fit was made on 320 x 320");
+}
+
+// A fit that is a pixel or two off paints teeth on the lips; at rest they would stay there as a pale line.
+TEST(Extract, ReadsNoTeethOnLips) {
+  FaceFit fit = true_fit(0);
+  fit.lip_gap_mm = 6;
+  const MorphableModel& model = test::head_model();
+  AlbedoMap lips = striped_map();
+  std::fill(lips.albedo.begin(), lips.albedo.end(), Vec3f{0.4f, 0.15f, 0.12f});
+  Image picture = drawn(fit, lips, rest());
+  const std::vector<render::ScreenPoint> screen = render::project(fit.camera, model.mean.points_mm);
+  const auto place = [&](std::size_t mark) { return screen[model.landmarks68[mark]]; };
+  // As wide as the inner lips, and into the lower lip.
+  const int top = static_cast<int>(place(66).y_px), bottom = top + 3;
+  const int right = static_cast<int>(place(61).x_px), left = static_cast<int>(place(63).x_px);
+  for (int y = top; y <= bottom; ++y)
+    for (int x = right; x <= left; ++x)
+      for (std::size_t c = 0; c < 3; ++c) picture.pixels[static_cast<std::size_t>(3 * (y * 320 + x)) + c] = 200;
+  const AlbedoMap found = extract(model, picture, fit, {.size_px = 512});
+  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
+  double palest = 0;
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const render::ScreenPoint& at = screen[atlas.triangles[t][i]];
+      if (at.x_px < right + 1 || at.x_px > left - 1 || at.y_px < top || at.y_px > bottom) continue;
+      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
+      const Vec3f& colour =
+          found.albedo[static_cast<std::size_t>((1 - uv[1]) * 511) * 512 + static_cast<std::size_t>(uv[0] * 511)];
+      if (colour[0] > 0) palest = std::max(palest, static_cast<double>(colour[1] / colour[0]));
+    }
+  EXPECT_GT(palest, 0);
+  EXPECT_LT(palest, 0.6);  // the lips' is 0.375, the teeth's 1
+}
+
+// A layer of 1 px/mm whose lower half is drawn and has moved up by 6 pixels, over a picture with a line under it.
+struct MovedChin {
+  FaceLayer layer;
+  Image picture = test::blank(64, 96, 200), mask = picture;
+  MovedChin() {
+    layer.width = 64;
+    layer.height = 96;
+    layer.colour.assign(64 * 96, Vec3f{0, 0, 0});
+    layer.alpha.assign(64 * 96, 0.0f);
+    layer.cover.assign(64 * 96, 1.0f);
+    layer.shift_px.assign(64 * 96, Vec2f{0, 0});
+    mask.channels = 1;
+    mask.pixels.assign(64 * 96, 255);
+    for (std::size_t i = 0; i < 64 * 30; ++i) {
+      layer.alpha[i] = 1;
+      layer.shift_px[i] = {0, -6};
+    }
+    for (std::size_t x = 0; x < 64; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        picture.pixels[3 * (38 * 64 + x) + c] = picture.pixels[3 * (80 * 64 + x) + c] = 0;
+  }
+  int darkest_row(const Image& image, int from, int to) const {
+    int best = from;
+    for (int y = from; y < to; ++y)
+      if (image.pixels[static_cast<std::size_t>(3 * (y * 64 + 32))] <
+          image.pixels[static_cast<std::size_t>(3 * (best * 64 + 32))])
+        best = y;
+    return best;
+  }
+};
+
+TEST(FollowFace, MovesTheOldChinWithTheNewOne) {
+  const MovedChin chin;  // drawn to row 29; the person's own chin ends at 38
+  const Image result = follow_face(chin.layer, chin.picture, chin.mask, 1);
+  EXPECT_EQ(chin.darkest_row(result, 0, 60), 32);   // 32 + 6 (1 - 3 t^2 + 2 t^3), t = 3 / 25, is 37.8
+  EXPECT_EQ(chin.darkest_row(result, 60, 96), 80);  // beyond the reach
+}
+
+TEST(FollowFace, LeavesThePictureBesideTheFace) {
+  MovedChin chin;
+  std::fill(chin.mask.pixels.begin(), chin.mask.pixels.end(), std::uint8_t{0});
+  for (std::size_t y = 0; y < 96; ++y)
+    std::fill_n(chin.mask.pixels.begin() + static_cast<std::ptrdiff_t>(64 * y), 8, std::uint8_t{255});
+  const Image result = follow_face(chin.layer, chin.picture, chin.mask, 1);
+  for (std::size_t y = 0; y < 96; ++y)
+    for (std::size_t x = 16; x < 64; ++x)
+      EXPECT_EQ(result.pixels[3 * (y * 64 + x)], chin.picture.pixels[3 * (y * 64 + x)]) << x << ", " << y;
+}
+
+TEST(FollowFace, OfAFaceAtRestIsThePicture) {
+  MovedChin chin;
+  for (Vec2f& shift : chin.layer.shift_px) shift = {0, 0};
+  EXPECT_EQ(follow_face(chin.layer, chin.picture, chin.mask, 1).pixels, chin.picture.pixels);
 }
 
 TEST(RenderInto, GivesThePictureBackWhereTheFaceIsAsItWas) {
