@@ -13,6 +13,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/decode/gltf_file.h"
+#include "nodes/decode/gltf_rig.h"
 #include "nodes/decode/ict_rig.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/read_rig.h"
@@ -84,6 +85,26 @@ std::vector<std::string> shape_names(const engine::File& file, std::size_t& text
     for (const tinygltf::Primitive& primitive : mesh.primitives)
       for (std::size_t t = 0; t < primitive.targets.size(); ++t) add(gltf_target_name(model, mesh, primitive, t));
   return names;
+}
+
+// Those of ARKit's shapes that a glTF file has as empty targets.
+std::vector<std::string> still_shapes(const engine::File& file, const ShapeNames& names,
+                                      const std::set<std::string>& known) {
+  std::vector<std::string> still;
+  if (file.is_folder() && is_obj_rig(file)) return still;
+  const Rig rig = read_gltf_rig(file, names, LengthUnit::automatic, false);
+  for (std::size_t s = 0; s < arkit_count; ++s)
+    if (rig.shapes[s].vertices.empty() && known.contains(rig.shapes[s].name)) still.push_back(rig.shapes[s].name);
+  return still;
+}
+
+// The shape that stands for jawOpen in sets of visemes (Oculus, VRM, VRoid); "" without one.
+std::string opener_of(const std::vector<std::string>& names) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"viseme", "aa"}, {"mouth", "open"}, {"fcl", "mth", "a"}, {"mth", "a"}, {"a"}, {"aa"}})
+    for (const std::string& name : names)
+      if (words_of(name) == words) return name;
+  return "";
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -187,17 +208,25 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     else
       strange.push_back(name);
   }
-  std::vector<std::string> lacking;
+  std::vector<std::string> lacking, still;
   for (const std::string_view name : arkit_names)
     if (!known.contains(std::string(name))) lacking.emplace_back(name);
   result.text =
       message(title, ": ", found.size(), " shapes; ", known.size(), " of ARKit's ", arkit_count, " are there\n");
   if (!lacking.empty()) result.text += "lacks " + listed(lacking) + "\n";
+  try {
+    still = still_shapes(file, given, known);
+  } catch (const Error&) {  // said below
+  }
+  if (!still.empty()) result.text += "there, but move nothing: " + listed(still) + "\n";
   for (const auto& [name, arkit] : given.to_arkit) proposed[name] = arkit;
   std::size_t guesses = 0, blanks = 0;
   std::vector<std::string> left = lacking;
+  left.insert(left.end(), still.begin(), still.end());
+  const std::string opener = opener_of(strange);
   for (const std::string& name : strange) {
-    const std::string guess = guess_arkit(name, left);
+    const bool opens = name == opener && std::find(left.begin(), left.end(), "jawOpen") != left.end();
+    const std::string guess = opens ? "jawOpen" : guess_arkit(name, left);
     proposed[name] = guess;
     if (!guess.empty()) {
       std::erase(left, guess);
@@ -211,9 +240,14 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
                            " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
                            "--set names=names.json\n");
   try {
-    result.text += about(read_rig(file, names));
+    const Rig rig = read_rig(file, names);
+    result.text += about(rig);
     if (textures > 0)
-      result.text += "its textures are not taken over: results have the colours of its materials and vertices\n";
+      result.text += rig.neutral.colors_srgb.empty()
+                         ? "its textures stay in a GLB that is made of it; pictures and films cannot show them (PNG, "
+                           "JPEG and WebP can be read)\n"
+                         : "its textures stay in a GLB that is made of it; pictures and films show their colours at "
+                           "the vertices\n";
     result.sound = true;
     result.text += "it can be used as it is\n";
   } catch (const Error& error) {

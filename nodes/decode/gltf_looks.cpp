@@ -26,6 +26,14 @@ const tinygltf::TextureInfo* base_colour(const tinygltf::Model& model, const tin
   return material ? &material->pbrMetallicRoughness.baseColorTexture : nullptr;
 }
 
+// Which of the file's pictures a texture shows: a WebP one stands in an extension, with or without another for those
+// who cannot read it. -1 without one.
+int picture_of(const tinygltf::Texture& texture) {
+  const auto webp = texture.extensions.find("EXT_texture_webp");
+  if (webp == texture.extensions.end() || !webp->second.Has("source")) return texture.source;
+  return webp->second.Get("source").GetNumberAsInt();
+}
+
 // Means of squares of pixels, in RGB.
 Image shrunk(const Image& image) {
   const int factor = (std::max(image.width, image.height) + largest_side_px - 1) / largest_side_px;
@@ -50,12 +58,13 @@ int wrapped(int index, int size) { return (index % size + size) % size; }
 const Image* GltfLooks::picture_on(const tinygltf::Primitive& primitive) {
   const tinygltf::TextureInfo* look = base_colour(model_, primitive);
   const tinygltf::Texture* texture = look ? at(model_.textures, look->index) : nullptr;
-  const tinygltf::Image* source = texture ? at(model_.images, texture->source) : nullptr;
+  const int number = texture ? picture_of(*texture) : -1;
+  const tinygltf::Image* source = at(model_.images, number);
   if (!source || source->image.empty()) return nullptr;
-  const auto [entry, added] = pictures_.try_emplace(texture->source);
+  const auto [entry, added] = pictures_.try_emplace(number);
   if (added) {
     const std::string_view bytes(reinterpret_cast<const char*>(source->image.data()), source->image.size());
-    const Image picture = read_picture_bytes(bytes, title_ + ": texture " + std::to_string(texture->source));
+    const Image picture = read_picture_bytes(bytes, title_ + ": texture " + std::to_string(number));
     if (picture.width > 0) entry->second = shrunk(picture);
   }
   return entry->second.width > 0 ? &entry->second : nullptr;

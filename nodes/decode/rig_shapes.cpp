@@ -153,6 +153,12 @@ void ShapeCollector::finish(const std::string& title, Rig& rig, bool speaks) con
          found.empty() ? "no shapes" : joined(found),
          strange ? "; names that are not ARKit's are mapped by a file, which facegraph doctor proposes" : "");
 
+  for (const Shape& shape : shapes_)
+    if (speaks && shape.name == "jawOpen" && shape.vertices.empty())
+      fail(title,
+           ": its jawOpen moves nothing: map a shape that opens the mouth to jawOpen, by a file, which facegraph "
+           "doctor proposes");
+
   rig.shapes.assign(arkit_count, {});
   for (std::size_t s = 0; s < arkit_count; ++s) rig.shapes[s].name = arkit_names[s];
   std::vector<bool> present(arkit_count, false);

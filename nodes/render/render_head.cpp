@@ -11,6 +11,7 @@
 #include "nodes/render/rasterize.h"
 #include "nodes/render/scene.h"
 #include "nodes/render/shade.h"
+#include "nodes/types/arkit.h"
 
 namespace face::render {
 namespace {
@@ -44,11 +45,25 @@ Bounds visible_bounds(const Mesh& mesh) {
   return bounds;
 }
 
-// The box to show: the whole of a mesh that has no marks; else from the top of the head to a little below the chin,
-// without the shoulders, or the face alone. The chin is landmark 8, or a quarter of the way down again below the lips.
+// What ARKit's shapes move: the face, where a mesh is more than that.
+Bounds moved_bounds(const Rig& rig) {
+  Bounds bounds;
+  for (std::size_t s = 0; s < std::min(rig.shapes.size(), std::size_t{arkit_count}); ++s)
+    for (const std::uint32_t v : rig.shapes[s].vertices) bounds.add(rig.neutral.points_mm[v]);
+  return bounds;
+}
+
+// The box to show: from the top of the head to a little below the chin, without the shoulders, or the face alone. The
+// chin is landmark 8, or a quarter of the way down again below the lips, or the lowest that a shape of a whole person
+// moves. The whole of a mesh that is a head without marks.
 Bounds framed_bounds(const Rig& rig, Framing framing) {
+  constexpr float face_of_person = 1.0f / 3;  // less of the height is moved by shapes: there is a body below
   Bounds bounds = visible_bounds(rig.neutral);
-  if (bounds.empty || (rig.landmarks68.size() != 68 && rig.inner_lips.empty())) return bounds;
+  const bool marked = rig.landmarks68.size() == 68 || !rig.inner_lips.empty();
+  const Bounds moved = marked ? Bounds() : moved_bounds(rig);
+  const bool has_body =
+      !moved.empty && moved.high[1] - moved.low[1] < face_of_person * (bounds.high[1] - bounds.low[1]);
+  if (bounds.empty || (!marked && !has_body)) return bounds;
   const std::vector<Vec3f>& points = rig.neutral.points_mm;
   float chin = 0, brows = bounds.low[1];
   Vec3f front = {0, 0, 0};
@@ -56,6 +71,9 @@ Bounds framed_bounds(const Rig& rig, Framing framing) {
     chin = points[rig.landmarks68[8]][1];
     front = points[rig.landmarks68[30]];
     for (std::size_t i = 17; i < 27; ++i) brows = std::max(brows, points[rig.landmarks68[i]][1]);
+  } else if (!marked) {
+    front = {(moved.low[0] + moved.high[0]) / 2, moved.low[1], moved.high[2]};
+    chin = moved.low[1];
   } else {
     front = points[rig.inner_lips[rig.inner_lips.size() / 2].lower];
     chin = front[1] - 0.25f * (bounds.high[1] - front[1]);

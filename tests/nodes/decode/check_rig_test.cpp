@@ -84,21 +84,49 @@ TEST(CheckRig, SaysWhereAHeadDoesNotStandAndLookToTheViewer) {
   EXPECT_NE(text("away", "-10", "down").find("does it look to -z? Turn it round in the file\n"), std::string::npos);
 }
 
-TEST(CheckRig, SaysThatTexturesAreNotTakenOver) {
-  const test::Temporary temporary;
-  const std::string head = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-    "images":[{"uri":"skin.png"}],"meshes":[{"extras":{"targetNames":["jawOpen","mouthClose","mouthFunnel","mouthPucker",
-    "mouthRollLower","mouthRollUpper"]},"primitives":[{"attributes":{"POSITION":0},"targets":[{"POSITION":0},
-    {"POSITION":0},{"POSITION":0},{"POSITION":0},{"POSITION":0},{"POSITION":0}]}]}],
-    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+// A triangle of which the shapes, but for those named, move a corner by 1.
+std::string triangle_head(const std::string& names, const std::string& targets) {
+  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"images":[{"uri":"skin.png"}],
+    "meshes":[{"extras":{"targetNames":[)" +
+         names + R"(]},"primitives":[{"attributes":{"POSITION":0},"targets":[)" + targets +
+         R"(]}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+    {"componentType":5126,"count":3,"type":"VEC3"}],
     "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
     "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
-  const CheckRigResult result = check_rig(engine::File::at(temporary.write("head.gltf", head)), nullptr);
+}
+const char* six_names = R"("jawOpen","mouthClose","mouthFunnel","mouthPucker","mouthRollLower","mouthRollUpper")";
+
+TEST(CheckRig, SaysWhatBecomesOfTextures) {
+  const test::Temporary temporary;
+  const std::string moves = R"({"POSITION":0})", all = moves + "," + moves + "," + moves;
+  const CheckRigResult result =
+      check_rig(engine::File::at(temporary.write("head.gltf", triangle_head(six_names, all + "," + all))), nullptr);
   EXPECT_TRUE(result.sound) << result.text;
-  EXPECT_NE(result.text.find("its textures are not taken over: results have the colours of its materials and "
-                             "vertices\n"),
+  EXPECT_NE(result.text.find("its textures stay in a GLB that is made of it; pictures and films cannot show them (PNG, "
+                             "JPEG and WebP can be read)\n"),
             std::string::npos)
       << result.text;
+}
+
+TEST(CheckRig, NamesShapesThatMoveNothingAndProposesAnotherForTheJaw) {
+  const test::Temporary temporary;
+  const std::string moves = R"({"POSITION":0})", still = R"({"POSITION":1})";
+  const std::string names = std::string(six_names) + R"(,"tongueOut","viseme_aa")";
+  const std::string targets =
+      still + "," + moves + "," + moves + "," + moves + "," + moves + "," + moves + "," + still + "," + moves;
+  const engine::File head = engine::File::at(temporary.write("head.gltf", triangle_head(names, targets)));
+  const CheckRigResult result = check_rig(head, nullptr);
+  EXPECT_FALSE(result.sound);
+  EXPECT_NE(result.text.find("there, but move nothing: jawOpen, tongueOut\n"), std::string::npos) << result.text;
+  EXPECT_NE(result.text.find("as it is it cannot be used: head.gltf: its jawOpen moves nothing: map a shape that opens "
+                             "the mouth to jawOpen, by a file, which facegraph doctor proposes\n"),
+            std::string::npos)
+      << result.text;
+  EXPECT_EQ(result.names.bytes(), "{\n  \"viseme_aa\": \"jawOpen\"\n}\n");
+  const CheckRigResult with_names = check_rig(head, &result.names);
+  EXPECT_TRUE(with_names.sound) << with_names.text;
+  EXPECT_EQ(with_names.text.find("jawOpen, "), std::string::npos) << with_names.text;
 }
 
 TEST(CheckRig, SaysWhatIsNoRig) {

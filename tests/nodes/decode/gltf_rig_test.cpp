@@ -134,6 +134,14 @@ TEST(GltfRig, TakesTheColoursOfVerticesFromTheTexture) {
   }
 }
 
+TEST(GltfRig, PrefersTheWebpPictureOfATexture) {
+  const std::string webp = R"("textures":[{"extensions":{"EXT_texture_webp":{"source":0}}}])";
+  const Mesh mesh = read(with(pictured_gltf(".webp"), R"("textures":[{"source":0}])", webp)).neutral;
+  ASSERT_EQ(mesh.colors_srgb.size(), 4u);
+  EXPECT_NEAR(mesh.colors_srgb[0][0], 1, 0.15);
+  EXPECT_NEAR(mesh.colors_srgb[0][1], 0, 0.15);
+}
+
 TEST(GltfRig, DoesWithoutATextureThatCannotBeRead) {
   for (const std::string bytes : {"\xABKTX 20\xBB of some kind", "\x89PNG and then nothing"}) {
     const Mesh mesh = read(pictured_gltf(".png", bytes)).neutral;

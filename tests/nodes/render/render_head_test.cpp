@@ -71,6 +71,28 @@ Rgb mean_about(const Image& image, const Rig& rig, const Vec3f& point_mm, int re
   return sum;
 }
 
+TEST(RenderHead, ShowsTheFaceOfAPersonWithoutMarks) {
+  // A ball of 100 mm at the top of a mesh of 1,700 mm, of which shapes move only the ball's lower half.
+  Rig person = test::ball_rig(50);
+  Shape& jaw = person.shapes[arkit_index("jawOpen")];
+  std::erase_if(jaw.vertices, [&](std::uint32_t v) { return person.neutral.points_mm[v][1] > 0; });
+  jaw.offsets_mm.resize(jaw.vertices.size());
+  const Image alone = portrait(person, {});
+  const auto first = static_cast<std::uint32_t>(person.neutral.points_mm.size());
+  person.neutral.points_mm.insert(person.neutral.points_mm.end(), {{-5, -1650, 0}, {5, -1650, 0}, {0, -50, 0}});
+  for (std::uint32_t k = 0; k < 3; ++k) person.neutral.corners.push_back(first + k);
+  person.neutral.polygon_starts.push_back(static_cast<std::uint32_t>(person.neutral.corners.size()));
+  const Image whole = portrait(person, {});
+  const auto shown = [](const Image& image) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) count += is_background(image, x, y) ? 0 : 1;
+    return count / double(image.width * image.height);
+  };
+  EXPECT_GT(shown(alone), 0.5);
+  EXPECT_GT(shown(whole), 0.4) << "a body below takes the face its room";
+}
+
 TEST(RenderHead, ShowsABallRoundAndOfTheRightSize) {
   const Image image = render_head(test::ball_rig(80), {}, view(400, 500));
   int count = 0, low_x = 400, high_x = -1, low_y = 400, high_y = -1;
