@@ -41,13 +41,14 @@ AffinityPropagationResult affinity_propagation(const Matrix& points, const Affin
     std::vector<std::size_t> exemplars;
     for (const std::size_t k : messages.exemplars) exemplars.push_back(candidates[k]);
     assignment = assign(points, std::move(exemplars));
-    if (pruned) {
+    if (pruned || options.improve)
       assignment = improve_locally(points, similarities, std::move(assignment), result.preference);
+    else
+      assignment = improve_medoids(points, std::move(assignment), 1);
+    if (pruned) {
       const Similarities central(points,
                                  central_candidates(points, assignment, static_cast<std::size_t>(options.candidates)));
       assignment = improve_locally(points, central, std::move(assignment), result.preference);
-    } else {
-      assignment = improve_medoids(points, std::move(assignment), 1);
     }
   }
   if (!result.converged)

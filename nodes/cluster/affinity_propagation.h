@@ -25,9 +25,12 @@ struct AffinityPropagationOptions {
   AffinityMethod method = AffinityMethod::exact;
   PreferenceRule rule = PreferenceRule::minimum;  // what an exemplar costs, by the similarities of pairs
   double preference = -1;                         // where the rule is `value`; more negative makes fewer groups
-  double damping = 0.9;  // as Frey and Dueck's own program; at 0.5 (scikit-learn) tight groups make messages swing
-  std::int64_t max_iterations = 200;
-  std::int64_t patience = 15;     // iterations without a change of the exemplars that count as converged
+  // As Frey and Dueck's own program. At damping 0.5 (scikit-learn) tight groups make messages swing; at 0.9 they take
+  // so long to build up that scikit-learn's patience of 15 takes their beginning for the end.
+  double damping = 0.9;
+  std::int64_t max_iterations = 1000;
+  std::int64_t patience = 100;    // iterations without a change of the exemplars that count as converged
+  bool improve = false;           // groups of the exact method, too, as those of the pruned one are; see below
   std::int64_t candidates = 600;  // of the pruned method
   std::int64_t seed = 1;          // of the pruned method's random candidates
 };
@@ -50,6 +53,9 @@ struct AffinityPropagationResult {
 // (1 - l^t) s(i,k) - (damped maxima of row i) but for the few columns that were a row's maximum, which are kept. One
 // pass over memory per iteration does both messages. Sums over columns are made per fixed block of rows, so that the
 // number of threads changes no bit.
+// Where two points are nearly the same (a film of 25 frames a second that is shown at 50) messages hardly tell which of
+// them shall stand for both: they settle on far too few groups or on both points. `improve` mends that: as with the
+// pruned method, exemplars move, are exchanged, given up and taken in as long as the net similarity rises.
 // As in scikit-learn, after the messages every group takes the member with the largest sum of similarities as its
 // exemplar and points go to their nearest exemplar. Differs from it: no noise is added to the similarities.
 //

@@ -6,7 +6,7 @@ using namespace engine::declare;
 using namespace face::cluster;
 
 NODE(
-    "cluster.affinity_propagation", &affinity_propagation, version{2},
+    "cluster.affinity_propagation", &affinity_propagation, version{3},
     doc{"Finds the points that stand best for all others, and how many there should be, by affinity propagation."},
     input{"points", "N x D"},
     param("method", &AffinityPropagationOptions::method,
@@ -28,6 +28,11 @@ NODE(
           "Iterations at most", inert{"most data settle before"}),
     param("patience", &AffinityPropagationOptions::patience, range{1, 1000}, unit{"1"},
           "Iterations without a change of the exemplars that count as settled", inert{"most data stay settled"}),
+    param("improve", &AffinityPropagationOptions::improve,
+          "Groups of the exact method, too, are improved as long as the net similarity rises: where points are nearly "
+          "the "
+          "same, messages do not settle well",
+          inert{"counts where messages did not find the best groups"}),
     param("candidates", &AffinityPropagationOptions::candidates, range{2, 20000}, unit{"1"},
           "Points that may be exemplars where the method is pruned", inert{"counts where the method is pruned"}),
     param("seed", &AffinityPropagationOptions::seed, range{0, 1000000}, unit{"1"},

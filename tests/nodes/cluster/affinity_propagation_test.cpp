@@ -150,6 +150,46 @@ TEST(AffinityPropagation, MakesGroupsCheaperInAShortClipWhereTheirPriceIsScaled)
   EXPECT_GT(scaled.exemplars.rows, plain.exemplars.rows);
 }
 
+// Damped messages build up slowly: at first few points seem to stand for all others, and for a while always the same.
+TEST(AffinityPropagation, DoesNotTakeTheBeginningOfTheMessagesForTheirEnd) {
+  Matrix path{150, 4, {}};  // of a mouth that moves evenly, nearly every place twice
+  for (std::size_t t = 0; t < path.rows; ++t)
+    for (std::size_t d = 0; d < path.columns; ++d)
+      path.values.push_back(10 * std::sin(0.2 * static_cast<double>((d + 1) * (t / 2)) + static_cast<double>(d)) +
+                            0.1 * std::sin(static_cast<double>(t * t)));
+  AffinityPropagationOptions options;
+  options.rule = PreferenceRule::scaled;
+  const auto settled = run(path, options);
+  EXPECT_TRUE(settled.converged);
+  options.improve = true;
+  const auto best = run(path, options);
+  EXPECT_GT(settled.similarity, 2.5 * best.similarity);
+}
+
+// A film of 25 frames a second shown at 50: every mouth is there twice, hardly different.
+TEST(AffinityPropagation, GroupsTheFramesOfAFilmThatIsShownTwiceAsFastAsBefore) {
+  Matrix once = test::planted_groups(75, 8, 30, 1).points, twice = once;
+  for (const double apart : {0.0, 0.01}) {
+    twice.rows = 0;
+    twice.values.clear();
+    for (std::size_t i = 0; i < once.rows; ++i)
+      for (const double more : {0.0, apart}) {
+        ++twice.rows;
+        for (std::size_t d = 0; d < once.columns; ++d)
+          twice.values.push_back(once.at(i, d) + (d == i % once.columns ? more : 0));
+      }
+    const double price = -40;
+    AffinityPropagationOptions options = at_price(price, AffinityMethod::exact);
+    options.improve = true;
+    const auto slow = run(once, options);
+    options.preference *= 2;
+    const auto fast = run(twice, options);
+    EXPECT_EQ(fast.exemplars.rows, slow.exemplars.rows) << "twins " << apart << " apart";
+    EXPECT_NEAR(fast.similarity, 2 * slow.similarity, 0.02 * std::abs(slow.similarity))
+        << "twins " << apart << " apart";
+  }
+}
+
 TEST(AffinityPropagation, MakesOneGroupOfOnePoint) {
   for (const std::size_t count : {1, 2, 50}) {
     const AffinityPropagationResult found = run({count, 2, std::vector<double>(2 * count, 7.0)});
