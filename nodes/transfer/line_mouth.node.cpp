@@ -5,9 +5,11 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.line_mouth", &line_mouth, version{1},
+NODE("transfer.line_mouth", &line_mouth, version{2},
      doc{"Spans the opening between a speaking model's lips with a dark surface that moves with them."},
      input{"rig", "The speaking model"}, input{"mesh", "Its reference's mesh, whose mouth is open"},
      param("brightness", &LineMouthOptions::brightness, range{0.0, 1.0}, unit{"1"},
            "Of the lips' colours there; 0 = black"),
+     param("rim_mm", &LineMouthOptions::rim_mm, range{0.0, 10.0}, unit{"mm"},
+           "How far each lip may grow to meet the other where the neutral's are apart"),
      output("lined", "The rig with the part \"mouth\""));

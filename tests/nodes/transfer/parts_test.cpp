@@ -425,6 +425,51 @@ TEST(LineMouth, SpansTheOpeningFromLipToLip) {
   EXPECT_THROW_TEXT(line_mouth({}, open), "rig has 0 vertices, the mesh 1681");
 }
 
+// Lips that end 2 mm before they meet when the mouth is shut.
+TEST(LineMouth, LetsShutLipsMeet) {
+  const Mesh open = sheet(4);
+  Rig rig = rig_of(sheet(0));
+  rig.neutral.corners = open.corners;
+  rig.neutral.polygon_starts = open.polygon_starts;
+  Shape opened{"open", {}, {}};
+  for (std::uint32_t v = 0; v < open.points_mm.size(); ++v) {
+    opened.vertices.push_back(v);
+    opened.offsets_mm.push_back({0, open.points_mm[v][1] - rig.neutral.points_mm[v][1], 0});
+  }
+  rig.shapes = {opened};
+  const auto area_of = [](const Rig& lined, const std::string& name, double weight) {
+    const auto part = std::find_if(lined.neutral.parts.begin(), lined.neutral.parts.end(),
+                                   [&](const Part& p) { return p.name == name; });
+    EXPECT_NE(part, lined.neutral.parts.end());
+    std::vector<Vec3f> points = lined.neutral.points_mm;
+    for (std::size_t i = 0; i < lined.shapes[0].vertices.size(); ++i)
+      points[lined.shapes[0].vertices[i]][1] += static_cast<float>(weight) * lined.shapes[0].offsets_mm[i][1];
+    double area_mm2 = 0;
+    for (std::uint32_t f = part->first_polygon; f < part->first_polygon + part->polygon_count; ++f) {
+      const std::uint32_t* c = lined.neutral.corners.data() + lined.neutral.polygon_starts[f];
+      const auto at = [&](int k) { return points[c[k]]; };
+      const float twice = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) - (at(2)[0] - at(0)[0]) * (at(1)[1] - at(0)[1]);
+      EXPECT_GE(twice, -1e-4) << "polygon " << f;
+      area_mm2 += 0.5 * static_cast<double>(twice);
+    }
+    return area_mm2;
+  };
+  const Rig without = line_mouth(rig, open), lined = line_mouth(rig, open, {.rim_mm = 1.5}),
+            short_rims = line_mouth(rig, open, {.rim_mm = 0.5});
+  EXPECT_GT(area_of(without, "mouth", 0), 30);
+  EXPECT_LT(area_of(lined, "mouth", 0), 2);  // the sheet's opening is 2 mm high in its corners: a triangle in each
+  EXPECT_GT(area_of(short_rims, "mouth", 0), 10);
+  // Opened by 4 mm more there are 4 mm between the rims, which are as they were.
+  EXPECT_NEAR(area_of(lined, "mouth", 1), area_of(without, "mouth", 1) - area_of(lined, "rims", 0), 0.5);
+  EXPECT_NEAR(area_of(lined, "rims", 1), area_of(lined, "rims", 0), 1);
+  ASSERT_GT(lined.neutral.points_mm.size(), open.points_mm.size());
+  EXPECT_EQ(lined.neutral.colors_srgb.size(), lined.neutral.points_mm.size());
+  EXPECT_EQ(lined.shapes[0].vertices.size(), lined.neutral.points_mm.size());
+  EXPECT_EQ(lined.neutral.colors_srgb.back(), open.colors_srgb[0]);
+  // As many for every mouth of this mesh, so that one head can become another.
+  EXPECT_EQ(short_rims.neutral.points_mm.size(), lined.neutral.points_mm.size());
+}
+
 TEST(PickTruth, FindsTheReferenceById) {
   const engine::Seq<SurfaceMap> truths({SurfaceMap{1, 1, {4}, {{0, 0}}}, SurfaceMap{1, 1, {9}, {{0, 0}}}},
                                        {"a.1", "a.2"});
@@ -479,6 +524,33 @@ TEST(DrawTexture, OfTheRightShapeIsTheFramesOwnPicture) {
   for (std::size_t i = 0; i < wrong.mask.pixels.size(); ++i)
     if (wrong.mask.pixels[i]) square += std::pow(wrong.drawn.pixels[i] - wrong.picture.pixels[i], 2);
   EXPECT_GT(std::sqrt(square / static_cast<double>(drawn)), 5);
+}
+
+TEST(DrawTexture, ShowsNoLineOfAnEyeThatIsShut) {
+  DepthScan reference;
+  reference.camera.focal_px = 200;
+  reference.camera.position_mm = {0, 0, 200};
+  reference.camera.centre_x_px = reference.camera.centre_y_px = 31.5f;
+  reference.depth_mm.assign(64 * 64, 200);
+  reference.picture = {64, 64, 1, {}};
+  for (int y = 0; y < 64; ++y)  // a white eye of 16 rows between dark lids
+    for (int x = 0; x < 64; ++x) reference.picture.pixels.push_back(y >= 24 && y < 40 ? 220 : 90);
+  const Mesh mesh = model::scan_mesh(reference);
+  MeshPoints shut{mesh.points_mm};
+  for (Vec3f& p : shut.points_mm)  // they meet in the middle of a row of pixels
+    p[1] = 0.5f + (std::fabs(p[1]) > 8 ? p[1] - std::copysign(9.3f, p[1]) : p[1] / 100);
+  const auto brightest = [&](double least_area) {
+    const DrawTextureResult result = draw_texture(mesh, reference, shut, reference, nullptr, {least_area});
+    std::uint8_t most = 0;
+    for (int y = 20; y < 44; ++y)
+      for (int x = 4; x < 60; ++x) {
+        EXPECT_EQ(result.mask.pixels[static_cast<std::size_t>(64 * y + x)], 255);
+        most = std::max(most, result.drawn.pixels[static_cast<std::size_t>(64 * y + x)]);
+      }
+    return most;
+  };
+  EXPECT_GT(brightest(0), 200);
+  EXPECT_LT(brightest(0.1), 100);
 }
 
 TEST(DrawTexture, RejectsAShapeOfAnotherMesh) {
