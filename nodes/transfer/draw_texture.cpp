@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/base/sample_image.h"
@@ -25,10 +27,77 @@ double grey_at(const Image& picture, double x, double y) {
   return picture.channels < 3 ? values[0] : 0.299 * values[0] + 0.587 * values[1] + 0.114 * values[2];
 }
 
+// Triangles whose surface is hidden: most of those about them keep less than a share of the area that they have in the
+// reference's picture, or are turned over.
+std::vector<bool> hidden_triangles(const std::vector<render::Triangle>& triangles, const Mesh& mesh,
+                                   const Image& picture, const std::vector<render::ScreenPoint>& screen,
+                                   double least_area) {
+  const auto twice_area = [](const render::Triangle& t, const auto& place) {
+    const auto a = place(t[0]), b = place(t[1]), c = place(t[2]);
+    return static_cast<double>((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+  };
+  const auto before = [&](std::uint32_t v) {
+    return Vec2f{mesh.uvs[v][0] * static_cast<float>(picture.width),
+                 -mesh.uvs[v][1] * static_cast<float>(picture.height)};
+  };
+  const auto now = [&](std::uint32_t v) { return Vec2f{screen[v].x_px, screen[v].y_px}; };
+  std::vector<double> share;
+  for (const render::Triangle& t : triangles)
+    share.push_back(twice_area(t, now) / twice_area(t, before) >= least_area ? 0 : 1);
+  for (int ring = 0; ring < 2; ++ring) {
+    std::vector<double> sum(screen.size(), 0), count(screen.size(), 0);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (const std::uint32_t v : triangles[i]) {
+        sum[v] += share[i];
+        ++count[v];
+      }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      share[i] = 0;
+      for (const std::uint32_t v : triangles[i]) share[i] += sum[v] / count[v] / 3;
+    }
+  }
+  std::vector<bool> hidden;
+  for (const double s : share) hidden.push_back(s > 0.5);
+  return hidden;
+}
+
+// Pixels that are still to be drawn take the mean of those about them that are drawn, from the border inwards.
+void fill_from_border(const Image& mask, std::vector<std::size_t> empty, Image& picture) {
+  const int width = picture.width, height = picture.height;
+  std::vector<bool> known;
+  for (const std::uint8_t m : mask.pixels) known.push_back(m > 0);
+  for (const std::size_t i : empty) known[i] = false;
+  while (!empty.empty()) {
+    std::vector<std::pair<std::size_t, std::uint8_t>> found;
+    std::vector<std::size_t> left;
+    for (const std::size_t i : empty) {
+      const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+      int sum = 0, count = 0;
+      for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, height - 1); ++ny)
+        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, width - 1); ++nx) {
+          const auto n = static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx);
+          if (!known[n]) continue;
+          sum += picture.pixels[n];
+          ++count;
+        }
+      if (count > 0)
+        found.push_back({i, static_cast<std::uint8_t>((sum + count / 2) / count)});
+      else
+        left.push_back(i);
+    }
+    if (found.empty()) return;
+    for (const auto& [i, grey] : found) {
+      picture.pixels[i] = grey;
+      known[i] = true;
+    }
+    empty = std::move(left);
+  }
+}
+
 }  // namespace
 
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
-                               const DepthScan& frame, const DepthScan* seen) {
+                               const DepthScan& frame, const DepthScan* seen, const DrawTextureOptions& options) {
   check_scan(reference, "reference");
   check_scan(frame, "frame");
   check(mesh.uvs.size() == mesh.points_mm.size(), "mesh has ", mesh.uvs.size(), " uvs, expected one for each of its ",
@@ -43,6 +112,8 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
   const std::vector<render::ScreenPoint> screen = render::project(frame.camera, shape.points_mm);
   const render::Triangulation cut = render::triangulate(mesh);
   const render::Raster raster = render::rasterize(screen, cut.triangles, {.width_px = width, .height_px = height});
+  const std::vector<bool> hidden = hidden_triangles(cut.triangles, mesh, reference.picture, screen, options.least_area);
+  std::vector<std::size_t> empty;
   DrawTextureResult result;
   result.drawn = result.picture = result.mask = {width, height, 1, {}};
   for (int y = 0; y < height; ++y)
@@ -51,6 +122,11 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
       const std::int32_t triangle = raster.triangles[raster.index(x, y)];
       result.mask.pixels.push_back(triangle >= 0 ? 255 : 0);
       if (triangle < 0) {
+        result.drawn.pixels.push_back(0);
+        continue;
+      }
+      if (hidden[static_cast<std::size_t>(triangle)]) {
+        empty.push_back(raster.index(x, y));
         result.drawn.pixels.push_back(0);
         continue;
       }
@@ -64,6 +140,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
       result.drawn.pixels.push_back(to_byte(
           grey_at(reference.picture, u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
     }
+  fill_from_border(result.mask, std::move(empty), result.drawn);
   return result;
 }
 

@@ -7,6 +7,10 @@
 
 namespace face::transfer {
 
+struct DrawTextureOptions {
+  double least_area = 0.1;
+};
+
 struct DrawTextureResult {
   Image drawn;    // grey, as large as the frame's picture; 0 where nothing is drawn
   Image picture;  // the frame's own, grey
@@ -18,7 +22,11 @@ struct DrawTextureResult {
 // frame's own picture (evaluate.texture_consistency tells how nearly). mesh: of model.scan_mesh, whose uvs are places
 // in the reference's picture; shape: its vertices in the frame, in the world of frame's camera (model.sample_scan's, of
 // align.orient's aligned scans). seen: the same frame with another picture, to compare with that; null = frame's own.
+// Where most triangles keep less than least_area of the area that they have in the reference's picture, the surface is
+// hidden: the mesh, which is one sheet, has an eye between its lids also when they are shut. It is not drawn, and what
+// pixels it had are as those about it.
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
-                               const DepthScan& frame, const DepthScan* seen = nullptr);
+                               const DepthScan& frame, const DepthScan* seen = nullptr,
+                               const DrawTextureOptions& options = {});
 
 }  // namespace face::transfer
