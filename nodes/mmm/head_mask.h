@@ -15,10 +15,8 @@ struct HeadMaskOptions {
 };
 
 // Where a head moves as a whole (white): the head without eyes, brows, mouth and chin, as a picture of one channel.
-// Where landmarks are given (the 68 of Multi-PIE, "00" to "67"), the boxes are found from them: the head is the box of
-// the contour up to a brow's height above the brows, eyes and brows are points 17 to 26 and 36 to 47, the mouth is
-// everything below the tip of the nose. frame: gives the size. Throws where a box is not a box or a landmark is
-// missing.
+// landmarks: take the place of the boxes (face_boxes.h says how); may be null. frame: gives the size. Throws where a box
+// is not a box or a landmark is missing.
 Image head_mask(const Image& frame, const Landmarks* landmarks, const HeadMaskOptions& options = {});
 
 }  // namespace face::mmm

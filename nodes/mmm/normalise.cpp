@@ -54,7 +54,8 @@ FitPerspectiveResult normalise(const Image& reference, const Image& frame, const
     right = std::min(mask->width - 1, right + margin), bottom = std::min(mask->height - 1, bottom + margin);
     box = {left, top, right - left + 1, bottom - top + 1};
   }
-  Image before = crop(reference, box), after = crop(frame, box), within = mask ? crop(*mask, box) : Image{};
+  Image before = crop(reference, nullptr, box), after = crop(frame, nullptr, box),
+        within = mask ? crop(*mask, nullptr, box) : Image{};
   const Image whole_before = before, whole_after = after, whole_within = within;
   double scale = 1, offset = 0;
   if (options.half_size && box.width_px >= 32 && box.height_px >= 32) {

@@ -8,6 +8,7 @@
 #include "nodes/base/check.h"
 #include "nodes/base/sample_image.h"
 #include "nodes/mmm/check_picture.h"
+#include "nodes/mmm/face_boxes.h"
 
 namespace face::mmm {
 
@@ -36,9 +37,15 @@ Image paste_mouth(const Image& head, const Image& mouth, const PasteOptions& o) 
   return made;
 }
 
-void paste(const engine::Seq<Image>& heads, const engine::Seq<Image>& mouths, engine::SeqWriter<Image>& frames,
-           const PasteOptions& options) {
+void paste(const engine::Seq<Image>& heads, const engine::Seq<Image>& mouths, const Landmarks* landmarks,
+           engine::SeqWriter<Image>& frames, const PasteOptions& options) {
   check(!heads.empty(), "there are no heads, expected at least one");
+  PasteOptions placed = options;
+  if (landmarks) {
+    const FaceBox box = find_face_boxes(*landmarks, heads.at(0)->width, heads.at(0)->height).lower_face;
+    placed.left_px = static_cast<int>(box.left);
+    placed.top_px = static_cast<int>(box.top);
+  }
   std::vector<std::shared_ptr<const Image>> held;
   const std::size_t count = std::min(heads.size(), static_cast<std::size_t>(options.head_frames));
   for (std::size_t i = 0; i < count; ++i) held.push_back(heads.at(i));
@@ -47,7 +54,7 @@ void paste(const engine::Seq<Image>& heads, const engine::Seq<Image>& mouths, en
   for (const Image& mouth : mouths) {
     const std::size_t phase = frame % period;
     const std::size_t at = phase < count ? phase : period - phase;
-    frames.push(mouths.id(frame++), paste_mouth(*held[at], mouth, options));
+    frames.push(mouths.id(frame++), paste_mouth(*held[at], mouth, placed));
   }
 }
 

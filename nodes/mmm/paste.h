@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/port.h"
 #include "nodes/types/image.h"
+#include "nodes/types/landmarks.h"
 
 namespace face::mmm {
 
@@ -19,8 +20,9 @@ Image paste_mouth(const Image& head, const Image& mouth, const PasteOptions& opt
 
 // The same for every mouth of a sentence. heads: a normalised video, whose eyes and brows move; of its first
 // head_frames (they are held in memory) the first to the last are taken, then back to the first, and so on, so that
-// nothing jumps.
-void paste(const engine::Seq<Image>& heads, const engine::Seq<Image>& mouths, engine::SeqWriter<Image>& frames,
-           const PasteOptions& options = {});
+// nothing jumps. landmarks: the mouths are the lower face (face_boxes.h) and go there, in place of left_px and top_px;
+// may be null.
+void paste(const engine::Seq<Image>& heads, const engine::Seq<Image>& mouths, const Landmarks* landmarks,
+           engine::SeqWriter<Image>& frames, const PasteOptions& options = {});
 
 }  // namespace face::mmm

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/end_to_end/command.h"
+#include "tests/support/data.h"
 
 namespace {
 
@@ -172,6 +173,28 @@ TEST_F(SpeechToVideo, AFilmWithoutAFaceIsAWarning) {
   ended = wait(start(words + Words{"--to", "learned/model"}));
   EXPECT_EQ(ended.code, 0) << ended.output;
   EXPECT_NE(ended.output.find("warning: learned/model: the pictures hardly differ"), std::string::npos) << ended.output;
+}
+
+TEST_F(SpeechToVideo, AClipSpeaksWithBoxesFoundByItsPoints) {
+  if (!fs::exists("/usr/share/pocketsphinx/model/en-us/en-us")) GTEST_SKIP() << "needs pocketsphinx-en-us";
+  DATA_FILE(clip, "grid/bbaf2n.mpg");
+  DATA_FILE(points, "grid/bbaf2n.landmarks.json");
+  DATA_FILE(text, "grid/bbaf2n.txt");
+  write("line.txt", "place red by two now");
+  const auto speak = [&](const std::string& points_file) {
+    return wait(start({"--store", path("store"), "run", graph("speech_to_video/speak.json"), "--quiet", "--set",
+                       "video=" + clip, "--set", "points=" + points_file, "--set", "text=" + text, "--set",
+                       "new_text=" + path("line.txt"), "--set", "prototypes=16", "--out", path("out")}));
+  };
+  Ended ended = speak(points);
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_GT(fs::file_size(path("out") + "/talk.mp4"), 50000u);
+  write("few.json", R"({"image_size": [360, 288], "points": {"eye_inner_r": [140, 161], "eye_inner_l": [170, 160], "lip_0": [139, 218]}})");
+  ended = speak(path("few.json"));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_NE(ended.output.find("landmark nose_tip is missing: found eye_inner_r, eye_inner_l, lip_0, expected"),
+            std::string::npos)
+      << ended.output;
 }
 
 TEST_F(SpeechToVideo, ASilentFilmIsNotLearned) {

@@ -67,6 +67,8 @@ const Registered mmm({
             {"mmm.paste.mouths", mouth_picture},
             {"mmm.head_mask.frame", sized_picture},
             {"mmm.head_mask.landmarks", two_digit_points},
+            {"mmm.crop.landmarks", two_digit_points},
+            {"mmm.paste.landmarks", two_digit_points},
             {"mmm.warp_perspective.perspective", perspective},
             {"mmm.read_opening.known_truth", two_digit_points},
             {"mmm.read_opening.truth", two_digit_points},

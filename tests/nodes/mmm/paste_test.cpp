@@ -33,7 +33,7 @@ TEST(Paste, ShowsTheHeadsForthAndBack) {
   const std::vector<Image> mouths(6, plain(2, 2, 0));
   std::vector<int> seen;
   engine::SeqWriter<Image> writer([&](std::string, Image image) { seen.push_back(image.pixels.back()); });
-  paste(heads, mouths, writer, {3, 3, 0, 60});
+  paste(heads, mouths, nullptr, writer, {3, 3, 0, 60});
   EXPECT_EQ(seen, (std::vector<int>{10, 20, 30, 20, 10, 20}));
 }
 
