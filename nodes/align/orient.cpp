@@ -16,6 +16,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
+constexpr double scale_of_median = 1.2;
+
 Point moved(const RigidMotion& m, const Point& p) {
   Point out{};
   for (std::size_t r = 0; r < 3; ++r) {
@@ -149,10 +151,11 @@ OrientResult orient(const DepthScan& scan, const Landmarks& markers, const Depth
     return result;
   };
   if (!best.solved) return give_up();
+  const double scale_mm = std::max(options.scale_mm, scale_of_median * least);
   std::vector<double> weights(from.size(), 1);
   for (int round = 0; round < 30; ++round) {
     for (std::size_t i = 0; i < from.size(); ++i) {
-      const double e = distance(moved(best.to_from, from[i]), to[i]) / options.scale_mm;
+      const double e = distance(moved(best.to_from, from[i]), to[i]) / scale_mm;
       weights[i] = 1 / ((1 + e * e) * (1 + e * e));
     }
     const AbsoluteOrientation next = absolute_orientation(from, to, weights);

@@ -28,7 +28,7 @@ AbsoluteOrientation absolute_orientation(const std::vector<std::array<double, 3>
 struct OrientOptions {
   std::vector<std::string> rigid;  // names; empty = the upper part of the constellation
   double upper_share = 0.6;
-  double scale_mm = 0.8;
+  double scale_mm = 0.3;
 };
 
 struct OrientResult {
@@ -40,8 +40,9 @@ struct OrientResult {
 };
 
 // Takes the head's motion out of a scan: markers that the jaw does not move are brought onto those of the reference in
-// 3D. A marker that was lost, has no depth, or was mistaken counts little or nothing (Geman and McClure's weights of
-// scale scale_mm, reweighted to convergence from a least-median start over triples), so one bad marker moves nothing.
+// 3D. A marker that was lost, has no depth, was mistaken, or moves with a brow counts little or nothing (Geman and
+// McClure's weights of scale scale_mm, or a little more than the least median where that is larger, reweighted to
+// convergence from a least-median start over triples), so one bad marker moves nothing.
 // Depth at a marker is that of a plane fitted to the 9 x 9 pixels about it. Unsolvable (fewer than three markers):
 // solved is false, the scan stays where it is, and a warning says so. Markers of the jaw are left out by `rigid`, a
 // list of names, or by keeping the highest upper_share of the reference's.

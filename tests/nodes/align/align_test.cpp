@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "nodes/align/choose_reference.h"
@@ -203,6 +204,23 @@ TEST(Orient, BringsAScanBackEvenWithLostAndMistakenMarkers) {
     }
     EXPECT_LE(worst, 0.4);
   }
+}
+
+// Markers of the forehead move with the brows.
+TEST(Orient, KeepsTheMouthInItsPlaceWhileBrowsRise) {
+  const auto reference = stream().frame(stream().weights({{"jawOpen", 0.15f}}));
+  const auto frame = stream().frame(stream().weights(
+      {{"jawOpen", 0.15f}, {"browInnerUp", 0.45f}, {"browOuterUpLeft", 0.4f}, {"browOuterUpRight", 0.4f}}));
+  const OrientResult result = orient(frame.scan, true_start(frame), reference.scan, true_start(reference), {}, quiet);
+  ASSERT_TRUE(result.solved);
+  const std::array<double, 3> mouth = {0, -60, 60};
+  double moved = 0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    double back = result.reference_from_scan.translation_mm[r] - mouth[r];
+    for (std::size_t c = 0; c < 3; ++c) back += result.reference_from_scan.rotation[r * 3 + c] * mouth[c];
+    moved += back * back;
+  }
+  EXPECT_LE(std::sqrt(moved), 0.06);
 }
 
 TEST(Orient, LeavesAScanWithTooFewMarkersWhereItIs) {
