@@ -11,6 +11,7 @@
 #include "nodes/model/fit_joint.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
+#include "nodes/model/likeness.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
@@ -298,7 +299,7 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
     fit.camera = camera_of(state.pose);
     fit.light = state.light;
     report(joint, m, make_level(*pictures[m], levels[m].factor),
-           make_level(*pictures[m], std::min(1.0, stages[1].eyes_px / joint.pictures[m].eyes_px)), fit);
+           make_level(*pictures[m], std::min(1.0, likeness_eyes_px / joint.pictures[m].eyes_px)), fit);
   }
   return fits;
 }

@@ -13,9 +13,8 @@ namespace face::model {
 namespace {
 
 constexpr double extreme_share = 0.45;
-// Of likeness. Walls come to 0.14 at most, points of another picture or beside the face mostly; right ones to 0.25
-// under much hair, to 0.37 and more otherwise.
-constexpr double least_likeness = 0.15;
+// Of likeness: docs/morphable-model.md says what right and wrong places come to.
+constexpr double least_likeness = 0.3;
 
 }  // namespace
 
@@ -100,8 +99,10 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
     fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
                           " % of the eye distance off, expected at most ", 100 * limits.max_nme,
                           " %: check their names and places");
-  else if (likeness(joint, index, small) < least_likeness)
-    fit.problem = "the edges of a face are not where the points say: is there a face at the points?";
+  else if (const double found = likeness(joint, index, small); found < least_likeness)
+    fit.problem = message("what is at the points does not look like a face (likeness ", std::round(100 * found) / 100 + 0.0,
+                          ", expected at least ", least_likeness,
+                          "): use points of this picture, on a face that is upright and not hidden");
   fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/model/likeness.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "nodes/base/quantile.h"
 #include "nodes/model/light_model.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/rasterize.h"
@@ -16,68 +17,127 @@
 namespace face::model {
 namespace {
 
-double luminance(const float* rgb) { return luma[0] * rgb[0] + luma[1] * rgb[1] + luma[2] * rgb[2]; }
+constexpr double finest = 3.0 / 55, coarsest = 9.0 / 55;  // of what is compared, over the distance of the eyes
+constexpr float ambient = 0.5f, parallel = 0.7f;          // of the plain face's light
+constexpr Vec3f light = {0.0f, 0.5f, 0.866f};             // in the head's frame
+constexpr float dark_share = 0.35f;                       // of eyes and the inside of a mouth over skin
+constexpr double black = 0.05;         // what is darker counts as this dark: logarithms of it would be noise
+constexpr double usual_contrasts = 2;  // from which a contrast is cut off, over the median one
+constexpr int least_pixels = 100;
 
-}  // namespace
+struct Plain {
+  cv::Mat value;   // of the plain face, 0 to 1; 32F
+  cv::Mat inside;  // of its outline, eyes and mouth among it
+  cv::Mat region;  // of it, what is compared
+};
 
-double likeness(const Joint& joint, std::size_t index, const PictureLevel& level) {
+Plain draw(const Joint& joint, std::size_t index, const PictureLevel& level) {
   const PictureState& state = joint.pictures[index].state;
   const SkinBasis& basis = joint.basis;
   const std::vector<Vec3f> points = posed_skin(basis, joint.identity, state.expression);
-  const std::vector<Vec3f> albedo = skin_albedo(basis, joint.albedo);
   const std::vector<Vec3f> normals = render::vertex_normals(points, basis.triangles);
   const std::vector<render::ScreenPoint> screen = render::project(camera_of(scaled(state.pose, level.factor)), points);
   render::RasterOptions options;
   options.width_px = level.width;
   options.height_px = level.height;
   const render::Raster raster = render::rasterize(screen, basis.triangles, options);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(state.pose.rotation.data());
-  const Eigen::Vector3d light =
-      rotation.transpose() *
-      Eigen::Vector3d(state.light.direction[0], state.light.direction[1], state.light.direction[2]);
-  // What every vertex looks like; between them as light and albedo are, all but linear.
   std::vector<float> shade(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
-    const Vec3f& n = normals[v];
-    const double cosine = (state.seen.empty() ? 1.0 : static_cast<double>(state.seen[v])) *
-                          (static_cast<double>(n[0]) * light[0] + static_cast<double>(n[1]) * light[1] +
-                           static_cast<double>(n[2]) * light[2]);
-    std::array<double, 3> lit{};
-    for (std::size_t c = 0; c < 3; ++c)
-      lit[c] = light_at(state.light, c, cosine) * std::max(1e-4, static_cast<double>(albedo[v][c]));
-    const std::array<double, 3> value = shown(state.light, lit);
-    shade[v] = static_cast<float>(luma[0] * value[0] + luma[1] * value[1] + luma[2] * value[2]);
+    const Vec3f &n = normals[v], &albedo = joint.model->mean_albedo[basis.vertices[v]];
+    const float cosine = n[0] * light[0] + n[1] * light[1] + n[2] * light[2];
+    shade[v] = static_cast<float>(luma[0] * albedo[0] + luma[1] * albedo[1] + luma[2] * albedo[2]) *
+               (ambient + parallel * std::max(0.0f, cosine));
   }
-  std::vector<float> drawn(raster.triangles.size(), 0.0f);
-  for (int y = 0; y < level.height; ++y)
-    for (int x = 0; x < level.width; ++x) {
-      const std::size_t pixel = raster.index(x, y);
-      if (raster.triangles[pixel] < 0) continue;
-      const auto& triangle = basis.triangles[static_cast<std::size_t>(raster.triangles[pixel])];
-      const Vec3f b = render::barycentrics_at(screen, triangle, static_cast<float>(x), static_cast<float>(y));
-      for (std::size_t i = 0; i < 3; ++i) drawn[pixel] += b[i] * shade[triangle[i]];
-    }
-  // Hair over the forehead has more edges than all of the face.
   const std::vector<std::uint32_t>& marks = joint.model->landmarks68;
   const auto height = [&](std::size_t mark) { return joint.model->mean.points_mm[marks[mark]][1]; };
   const float top = marks.size() == 68 ? std::min(height(19), height(24)) : 1e9f;
-  double both = 0, own = 0, picture = 0;
-  for (int y = 1; y + 1 < level.height; ++y)
-    for (int x = 1; x + 1 < level.width; ++x) {
-      const std::size_t here = raster.index(x, y), left = raster.index(x - 1, y), right = raster.index(x + 1, y),
-                        up = raster.index(x, y - 1), down = raster.index(x, y + 1);
-      if (raster.triangles[here] < 0 || raster.triangles[left] < 0 || raster.triangles[right] < 0 ||
-          raster.triangles[up] < 0 || raster.triangles[down] < 0)
-        continue;
-      if (basis.mean_mm[basis.triangles[static_cast<std::size_t>(raster.triangles[here])][0]][1] > top) continue;
-      const double mx = 0.5 * (static_cast<double>(drawn[right]) - drawn[left]);
-      const double my = 0.5 * (static_cast<double>(drawn[down]) - drawn[up]);
-      const double px = luminance(level.samples[here].data() + 3), py = luminance(level.samples[here].data() + 6);
-      both += mx * px + my * py;
-      own += mx * mx + my * my;
-      picture += px * px + py * py;
+  Plain plain;
+  const cv::Size size(level.width, level.height);
+  plain.value = cv::Mat(size, CV_32F, cv::Scalar(0));
+  plain.inside = cv::Mat(size, CV_8U, cv::Scalar(0));
+  plain.region = cv::Mat(size, CV_8U, cv::Scalar(0));
+  cv::Mat skin(size, CV_8U, cv::Scalar(0));
+  std::vector<float> values;
+  for (int y = 0; y < level.height; ++y)
+    for (int x = 0; x < level.width; ++x) {
+      const std::int32_t found = raster.triangles[raster.index(x, y)];
+      if (found < 0) continue;
+      const auto& triangle = basis.triangles[static_cast<std::size_t>(found)];
+      const Vec3f b = render::barycentrics_at(screen, triangle, static_cast<float>(x), static_cast<float>(y));
+      float value = 0, up = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        value += b[i] * shade[triangle[i]];
+        up += b[i] * basis.mean_mm[triangle[i]][1];
+      }
+      skin.at<std::uint8_t>(y, x) = 255;
+      plain.value.at<float>(y, x) = value;
+      if (up <= top) plain.region.at<std::uint8_t>(y, x) = 255;
+      values.push_back(value);
     }
-  return own > 0 && picture > 0 ? both / std::sqrt(own * picture) : 0;
+  if (values.empty()) return plain;
+  // Eyes and mouth are the holes in the skin.
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(skin, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::drawContours(plain.inside, outlines, -1, cv::Scalar(255), cv::FILLED);
+  const cv::Mat holes = plain.inside & ~skin;
+  plain.value.setTo(dark_share * median(values), holes);
+  plain.region |= holes;
+  return plain;
+}
+
+// Logarithm without what is finer or coarser than the parts of a face; weights: of pixels, 0 or 1. Nothing outside
+// counts.
+cv::Mat band(const cv::Mat& values, const cv::Mat& weights, double eyes_px) {
+  cv::Mat logs = values + black;
+  logs = cv::max(logs, black);
+  cv::log(logs, logs);
+  logs = logs.mul(weights);
+  const auto smooth = [&](double sigma) {
+    cv::Mat sum, count;
+    cv::GaussianBlur(logs, sum, {0, 0}, sigma, sigma, cv::BORDER_CONSTANT);
+    cv::GaussianBlur(weights, count, {0, 0}, sigma, sigma, cv::BORDER_CONSTANT);
+    cv::Mat mean;
+    cv::divide(sum, cv::max(count, 1e-3), mean);
+    return mean;
+  };
+  return smooth(finest * eyes_px) - smooth(coarsest * eyes_px);
+}
+
+}  // namespace
+
+double likeness(const Joint& joint, std::size_t index, const PictureLevel& level) {
+  const Plain plain = draw(joint, index, level);
+  if (cv::countNonZero(plain.region) < least_pixels) return 0;
+  cv::Mat picture(plain.value.size(), CV_32F), weights;
+  for (std::size_t i = 0; i < level.samples.size(); ++i)
+    reinterpret_cast<float*>(picture.data)[i] = static_cast<float>(
+        luma[0] * level.samples[i][0] + luma[1] * level.samples[i][1] + luma[2] * level.samples[i][2]);
+  plain.inside.convertTo(weights, CV_32F, 1.0 / 255.0);
+  const double eyes_px = joint.pictures[index].eyes_px * level.factor;
+  const cv::Mat seen = band(picture, weights, eyes_px), expected = band(plain.value, weights, eyes_px);
+  std::vector<float> a, b, sizes;
+  for (int y = 0; y < level.height; ++y)
+    for (int x = 0; x < level.width; ++x) {
+      if (plain.region.at<std::uint8_t>(y, x) == 0) continue;
+      a.push_back(seen.at<float>(y, x));
+      b.push_back(expected.at<float>(y, x));
+      sizes.push_back(std::abs(a.back()));
+    }
+  const double usual = usual_contrasts * static_cast<double>(median(sizes));
+  if (usual < 1e-6) return 0;
+  double mean_a = 0, mean_b = 0, both = 0, squares_a = 0, squares_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] = static_cast<float>(std::tanh(static_cast<double>(a[i]) / usual));
+    mean_a += static_cast<double>(a[i]) / static_cast<double>(a.size());
+    mean_b += static_cast<double>(b[i]) / static_cast<double>(a.size());
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double da = static_cast<double>(a[i]) - mean_a, db = static_cast<double>(b[i]) - mean_b;
+    both += da * db;
+    squares_a += da * da;
+    squares_b += db * db;
+  }
+  return squares_a > 0 && squares_b > 0 ? both / std::sqrt(squares_a * squares_b) : 0;
 }
 
 }  // namespace face::model

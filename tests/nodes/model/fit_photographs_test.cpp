@@ -2,10 +2,12 @@
 // Fits of the real material's first frames: no truth, but mouths that anybody sees to be shut or open.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 
+#include "nodes/base/random.h"
 #include "nodes/decode/read_identity_modes.h"
 #include "nodes/decode/read_landmarks.h"
 #include "nodes/decode/read_rig.h"
@@ -80,6 +82,67 @@ TEST(FitPhotographs, DoNotBendTheHeadWhereThePictureIsDark) {
   sigmas /= static_cast<double>(model.identity.sigmas.size());
   EXPECT_LT(size_of(fit.identity) / sigmas, 0.9);  // in standard deviations; 1.2 before pictures' brightness counted
   EXPECT_LT(std::abs(fit.lip_gap_mm), 0.5);
+}
+
+// A picture with a gamma curve and with noise of so many levels.
+Image spoilt(const Image& picture, double exponent, double noise) {
+  Image result = picture;
+  Random random(1);
+  for (std::uint8_t& value : result.pixels)
+    value = static_cast<std::uint8_t>(
+        std::clamp(255 * std::pow(value / 255.0, exponent) + noise * random.normal(), 0.0, 255.0));
+  return result;
+}
+
+// Dark pictures full of noise are fitted by their points all but alone: light and skin come out wrong, not the place.
+TEST(FitPhotographs, BelieveAFaceThatIsDarkAndNoisy) {
+  CLIP("bbaf2n");
+  const FaceFit fit = fit_image(model, spoilt(picture, 2, 25), points);
+  EXPECT_TRUE(fit.converged) << fit.problem;  // likeness 0.36, of the drawn fit's edges before 0.01 of 0.15
+}
+
+TEST(FitPhotographs, BelieveAFaceInMuchNoise) {
+  CLIP("pwij3p");
+  const FaceFit fit = fit_image(model, spoilt(picture, 1, 25), points);
+  EXPECT_TRUE(fit.converged) << fit.problem;
+}
+
+// Skin at the points' middle, but no eyes where eyes should be.
+TEST(FitPhotographs, DoNotBelieveAFaceOfAnotherSize) {
+  CLIP("lrwp9a");
+  Landmarks smaller = points;
+  double x = 0, y = 0;
+  for (const Landmark& point : points.points) {
+    x += point.x_px / static_cast<double>(points.points.size());
+    y += point.y_px / static_cast<double>(points.points.size());
+  }
+  for (Landmark& point : smaller.points) {
+    point.x_px = x + 0.6 * (point.x_px - x);
+    point.y_px = y + 0.6 * (point.y_px - y);
+  }
+  const FaceFit fit = fit_image(model, picture, smaller);
+  EXPECT_FALSE(fit.converged);  // 0.08
+  EXPECT_TRUE(fit.problem.starts_with("what is at the points does not look like a face (likeness ")) << fit.problem;
+}
+
+TEST(FitPhotographs, DoNotBelieveAFaceUpsideDown) {
+  CLIP("swwp2s");
+  Image turned = picture;
+  for (std::size_t i = 0, n = picture.pixels.size() / 3; i < n; ++i)
+    std::copy_n(&picture.pixels[3 * (n - 1 - i)], 3, &turned.pixels[3 * i]);
+  Landmarks moved = points;  // to the middle of the turned face
+  double x = 0, y = 0;
+  for (const Landmark& point : points.points) {
+    x += point.x_px / static_cast<double>(points.points.size());
+    y += point.y_px / static_cast<double>(points.points.size());
+  }
+  for (Landmark& point : moved.points) {
+    point.x_px += picture.width - 1 - 2 * x;
+    point.y_px += picture.height - 1 - 2 * y;
+  }
+  const FaceFit fit = fit_image(model, turned, moved);
+  EXPECT_FALSE(fit.converged);  // 0.24
+  EXPECT_TRUE(fit.problem.starts_with("what is at the points does not look like a face (likeness ")) << fit.problem;
 }
 
 // A smile with teeth, of which 7 points tell nothing: a mouth that is taken as closed has to be tried open.
