@@ -19,6 +19,7 @@
 #include "nodes/export/gltf_buffer.h"
 #include "nodes/export/timed_frames.h"
 #include "nodes/render/triangulate.h"
+#include "nodes/types/arkit.h"
 
 namespace face::exports {
 namespace {
@@ -207,10 +208,34 @@ json targets_of(const Rig& rig, const Vertices& all, const ExportGltfOptions& op
   return targets;
 }
 
+// Where vertices are, at rest and with the jaw open (lips that meet are at one place at rest), in hundredths of a
+// millimetre: a program that changes the file numbers them anew.
+json places_of(const Rig& rig, const std::vector<Vec3f>& jaw_mm, const std::vector<std::uint32_t>& vertices) {
+  json places = json::array();
+  for (const std::uint32_t v : vertices) {
+    for (std::size_t c = 0; c < 3; ++c) places.push_back(std::lround(100 * rig.neutral.points_mm[v][c]));
+    for (std::size_t c = 0; c < 3; ++c) places.push_back(std::lround(100 * jaw_mm[v][c]));
+  }
+  return places;
+}
+
 json annotations_of(const Rig& rig, const Vertices& all, json parts) {
   json pairs = json::array();
-  for (const LipPair& pair : rig.inner_lips) pairs.push_back({pair.upper, pair.lower});
+  std::vector<std::uint32_t> lips;
+  for (const LipPair& pair : rig.inner_lips) {
+    pairs.push_back({pair.upper, pair.lower});
+    lips.insert(lips.end(), {pair.upper, pair.lower});
+  }
+  std::vector<Vec3f> jaw_mm = rig.neutral.points_mm;
+  const Shape jaw = rig.shapes.size() > arkit_index("jawOpen") ? rig.shapes[arkit_index("jawOpen")] : Shape();
+  for (std::size_t i = 0; i < jaw.vertices.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) jaw_mm[jaw.vertices[i]][c] += jaw.offsets_mm[i][c];
   return {{"version", 1},
+          {"places",
+           {{"inner_lips", places_of(rig, jaw_mm, lips)},
+            {"lower_lip", places_of(rig, jaw_mm, rig.lower_lip)},
+            {"upper_teeth", places_of(rig, jaw_mm, rig.upper_teeth)},
+            {"landmarks68", places_of(rig, jaw_mm, rig.landmarks68)}}},
           {"vertex_count", rig.neutral.points_mm.size()},
           {"copies", all.copies},
           {"parts", std::move(parts)},

@@ -165,6 +165,38 @@ TEST(AnimateOriginal, TakesInBuffersThatTheTextHolds) {
   EXPECT_EQ(binary_of(out).substr(view["byteOffset"].get<std::size_t>(), 4), "\1\2\3\4");
 }
 
+// Our own file after another program had it: the notes' numbers are no longer the vertices', their places are.
+Rig numbered_anew(const Rig& rig, const std::function<void(json&)>& change) {
+  const std::string made = export_gltf(rig, engine::Seq<Weights>({Weights{}}), {{0}, 1}).bytes();
+  json document = document_of(made);
+  json& notes = document["meshes"][0]["extras"]["facegraph"];
+  notes["inner_lips"] = {{0, 0}};
+  notes["lower_lip"] = {900, 5};
+  notes["upper_teeth"] = {1};
+  change(notes);
+  return decode::read_rig(engine::File::from_bytes(decode::glb_bytes(document, binary_of(made)), ".glb"), nullptr);
+}
+
+TEST(ReadRig, FindsMarksAgainByTheirPlacesWhereVerticesWereNumberedAnew) {
+  Rig rig = test::square_rig();
+  rig.neutral.points_mm[4] = rig.neutral.points_mm[1];  // lips that meet at rest
+  const Rig back = numbered_anew(rig, [](json&) {});
+  ASSERT_EQ(back.inner_lips.size(), 1u);
+  EXPECT_EQ(back.inner_lips[0].upper, 4u);
+  EXPECT_EQ(back.inner_lips[0].lower, 1u);
+  EXPECT_EQ(back.lower_lip, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(back.upper_teeth, std::vector<std::uint32_t>{3});
+}
+
+TEST(ReadRig, DropsMarksThatAreNoMore) {
+  const Rig back = numbered_anew(test::square_rig(), [](json& notes) {
+    for (json& x : notes["places"]["upper_teeth"]) x = x.get<int>() + 500;  // 5 mm off, each way
+    notes["places"]["lower_lip"].erase(0);
+  });
+  EXPECT_TRUE(back.upper_teeth.empty());
+  EXPECT_NE(back.lower_lip, (std::vector<std::uint32_t>{900, 5}));
+}
+
 TEST(AnimateOriginal, LeavesToTheRigWhatIsNoGltf) {
   const Rig rig = test::square_rig();
   const auto animated = [&](const engine::File& file) {
