@@ -12,14 +12,15 @@
 namespace face::flow {
 namespace {
 
-constexpr int fewest = 60;      // lost pixels that are looked for
-constexpr int context_px = 24;  // of the target about them
-constexpr int reach_y_px = 24;  // from the start
-constexpr int reach_x_px = 10;  // lids, lips and jaws move up and down
-constexpr int near_px = 12;     // the flow changes only so near to what was lost
-constexpr float jump_px = 3;    // neighbours' displacements further apart are an edge
-constexpr float same_px = 2;    // smaller changes are the flow's to know better
-constexpr float hidden_px = 4;  // half a target pixel over more reference pixels: they are hidden
+constexpr int fewest = 20;         // lost pixels that are looked for
+constexpr double most_left = 0.7;  // of the pixels that differ about them, where what is found counts
+constexpr int context_px = 24;     // of the target about them
+constexpr int reach_y_px = 24;     // from the start
+constexpr int reach_x_px = 10;     // lids, lips and jaws move up and down
+constexpr int near_px = 12;        // the flow changes only so near to what was lost
+constexpr float jump_px = 3;       // neighbours' displacements further apart are an edge
+constexpr float same_px = 2;       // smaller changes are the flow's to know better
+constexpr float hidden_px = 4;     // half a target pixel over more reference pixels: they are hidden
 constexpr float smoothed_bend_px = 1;
 
 float between(const Plane& plane, float x, float y) {
@@ -243,7 +244,8 @@ void recover_lost(const std::vector<Level>& reference, const std::vector<Level>&
   if (reference.size() < 2) return;
   const int width = u.width, height = u.height;
   cv::Mat lost, groups, statistics, centres;
-  cv::boxFilter(mismatched(reference[0], target[0], options, u, v), lost, CV_32F, {7, 7});
+  const cv::Mat wrong = mismatched(reference[0], target[0], options, u, v);
+  cv::boxFilter(wrong, lost, CV_32F, {7, 7});
   lost = lost > 127.5;
   const int count = cv::connectedComponentsWithStats(grown(lost, 4), groups, statistics, centres);
   for (int group = 1; group < count; ++group) {
@@ -278,7 +280,9 @@ void recover_lost(const std::vector<Level>& reference, const std::vector<Level>&
         back_v.row(y)[x] = -between(start_v, from_x, from_y);
       }
     region.look(back_u, back_v);
-    if (2 * region.unmatched(back_u, back_v) > pixels) continue;
+    const int before = cv::countNonZero(
+        wrong(cv::Rect(search.left, search.top, search.right - search.left + 1, search.bottom - search.top + 1)));
+    if (region.unmatched(back_u, back_v) > most_left * before) continue;
     cv::Mat known, parts;
     region.turn_round(back_u, back_v, forward_u, forward_v, known);
     // What differs, and hangs together with what was lost.

@@ -18,9 +18,10 @@ struct RecoverLostOptions {
 // level), not the other way: the lid is in both pictures, the eye in one. That field, smoothed as by dense_flow and
 // with its jumps sharpened, is turned round: each triangle of target pixels lies on reference pixels; those under one
 // that is stretched over many, across a jump, are hidden and go to its middle, where the edges of what hides them meet.
-// Kept where it differs by more than 2 pixels, near lost pixels, and only if less of the target remains without a match
-// than was lost. reference, target: pyramids; with one level nothing is done. start_u, start_v: the displacement about
-// which is looked for, by 24 pixels up and down and 10 sideways; u, v: the flow.
+// Kept where it differs by more than 2 pixels, near lost pixels, and only if clearly fewer of the target's pixels about
+// them remain without a match than of the reference's before. reference, target: pyramids; with one level nothing is
+// done. start_u, start_v: the displacement about which is looked for, by 24 pixels up and down and 10 sideways; u, v:
+// the flow.
 void recover_lost(const std::vector<Level>& reference, const std::vector<Level>& target,
                   const RecoverLostOptions& options, const Plane& start_u, const Plane& start_v, Plane& u, Plane& v);
 
