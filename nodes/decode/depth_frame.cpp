@@ -18,10 +18,10 @@ constexpr double most_shift_px = 2;  // of a cloud's points, beside their pixels
 
 std::string leaf(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-// As the recording's owner knows it: depth/TAKE/17.png.
-std::string place(const std::string& path) {
+// As the recording's owner knows it: depth/TAKE/17.png, or pattern/TAKE/17/0.png, which has four parts.
+std::string place(const std::string& path, int count = 3) {
   std::size_t start = path.size();
-  for (int parts = 0; parts < 3 && start != std::string::npos && start > 0; ++parts)
+  for (int parts = 0; parts < count && start != std::string::npos && start > 0; ++parts)
     start = path.find_last_of('/', start - 1);
   return start == std::string::npos ? path : path.substr(start + (start < path.size() && path[start] == '/' ? 1 : 0));
 }
@@ -81,6 +81,23 @@ bool take_depth(const FramePaths& paths, const ScanCameraFile& camera, DepthScan
   return depth.whole_numbers;
 }
 
+void take_patterns(const FramePaths& paths, const ScanCameraFile& camera, const ScanProjectorFile* projector,
+                   DepthScan& scan) {
+  check(projector != nullptr, "it has fringe pictures, but there is no projector.json beside camera.json");
+  check(std::fabs(camera.aspect - 1) < 1e-4, "it has fringe pictures, for which pixels must be as high as wide, fy is ",
+        camera.aspect, " times fx");
+  std::vector<Image> images;
+  for (std::size_t k = 0; k < paths.patterns.size(); ++k) {
+    check(!paths.patterns[k].empty(), "it has no fringe picture ", k, ", expected 0 to 4");
+    images.push_back(read_levels(paths.patterns[k], place(paths.patterns[k], 4)));
+    if (k > 0)
+      check_size("its fringe picture " + leaf(paths.patterns[k]), images[k].width, images[k].height, images[0].width,
+                 images[0].height);
+  }
+  scan =
+      structured_light(engine::Seq<Image>(std::move(images)), camera.camera, projector->projector, projector->options);
+}
+
 // Rows resampled so that pixels are as high as wide; the place of the centre stays.
 void make_square(double aspect, double centre_y_px, DepthScan& scan) {
   if (std::fabs(aspect - 1) < 1e-4) return;
@@ -107,17 +124,21 @@ void make_square(double aspect, double centre_y_px, DepthScan& scan) {
 
 }  // namespace
 
-DepthFrame read_depth_frame(const FramePaths& paths, const ScanCameraFile& camera) {
+DepthFrame read_depth_frame(const FramePaths& paths, const ScanCameraFile& camera, const ScanProjectorFile* projector) {
   DepthFrame frame;
   DepthScan& scan = frame.scan;
   if (!paths.cloud.empty())
     take_cloud(paths, camera, scan);
-  else
+  else if (!paths.depth.empty())
     frame.whole_numbers = take_depth(paths, camera, scan);
+  else
+    take_patterns(paths, camera, projector, scan);
   const int width = scan.picture.width, height = scan.picture.height;
   if (camera.width_px > 0 && camera.height_px > 0)
-    check_size(paths.cloud.empty() ? "its depth " + leaf(paths.depth) : "its cloud " + leaf(paths.cloud), width, height,
-               camera.width_px, camera.height_px);
+    check_size(!paths.cloud.empty()   ? "its cloud " + leaf(paths.cloud)
+               : !paths.depth.empty() ? "its depth " + leaf(paths.depth)
+                                      : "its fringe picture " + leaf(paths.patterns[0]),
+               width, height, camera.width_px, camera.height_px);
   if (!paths.picture.empty()) {
     Image picture = read_picture(paths.picture, place(paths.picture));
     check_size("its picture " + leaf(paths.picture), picture.width, picture.height, width, height);

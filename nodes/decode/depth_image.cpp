@@ -7,6 +7,7 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -91,6 +92,28 @@ DepthImage read_mask(const std::string& path, const std::string& title) {
     const auto channels = static_cast<std::size_t>(colours.channels);
     for (std::size_t i = 0; i + channels <= colours.pixels.size(); i += channels)
       out.values.push_back(*std::max_element(&colours.pixels[i], &colours.pixels[i] + channels));
+  });
+  return out;
+}
+
+Image read_levels(const std::string& path, const std::string& title) {
+  Image out;
+  with_frame(path, title, [&](const AVFrame& frame) {
+    if (DepthImage grey; numbers_of(frame, grey)) {
+      out = {grey.width, grey.height, 1, {}};
+      const float scale = !grey.whole_numbers ? 255.0f : grey.bits == 16 ? 255.0f / 65535 : 1.0f;
+      for (const float level : grey.values)
+        out.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(scale * level, 0.0f, 255.0f))));
+      return;
+    }
+    const Image colours = image_of(frame, title);
+    out = {colours.width, colours.height, 1, {}};
+    const auto channels = static_cast<std::size_t>(colours.channels), counted = std::min<std::size_t>(channels, 3);
+    for (std::size_t i = 0; i + channels <= colours.pixels.size(); i += channels) {
+      std::size_t sum = 0;
+      for (std::size_t k = 0; k < counted; ++k) sum += colours.pixels[i + k];
+      out.pixels.push_back(static_cast<std::uint8_t>((sum + counted / 2) / counted));
+    }
   });
   return out;
 }

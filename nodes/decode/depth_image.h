@@ -23,6 +23,10 @@ DepthImage read_depth_image(const std::string& path, const std::string& title);
 // The same of a mask, which may also be a colour picture: of every pixel the brightest channel, 8 bits.
 DepthImage read_mask(const std::string& path, const std::string& title);
 
+// Reads how bright pixels are, 0 to 255, one channel: of 8 or 16 bits, of floats of 0 to 1 (EXR), or the mean of
+// colours.
+Image read_levels(const std::string& path, const std::string& title);
+
 // Reads a picture as 8-bit sRGB: grey stays grey, all else becomes RGB.
 Image read_picture(const std::string& path, const std::string& title);
 

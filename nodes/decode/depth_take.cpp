@@ -27,6 +27,13 @@ struct Frame {
   std::string trouble;  // empty: it is kept
 };
 
+// -1 where the text is no number.
+long number_of(const std::string& text) {
+  long number = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return text.empty() || error != std::errc() || end != text.data() + text.size() ? -1 : number;
+}
+
 // The files of a take by frame. Files whose name is no number are trouble of their own.
 std::vector<Frame> frames_of(const engine::File& folder, const std::string& take, std::vector<std::string>& troubles) {
   std::map<long, Frame> frames;
@@ -37,10 +44,8 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
       const std::string start = kind + take + "/";
       if (!entry.name.starts_with(start)) continue;
       const std::string leaf = entry.name.substr(start.size());
-      const std::string stem = leaf.substr(0, leaf.find_last_of('.'));
-      long number = -1;
-      const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
-      if (stem.empty() || error != std::errc() || end != stem.data() + stem.size() || number < 0) {
+      const long number = number_of(leaf.substr(0, leaf.find_last_of('.')));
+      if (number < 0) {
         troubles.push_back("file " + entry.name + ": its name is no frame number; left out");
         continue;
       }
@@ -52,9 +57,25 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
       else
         troubles.push_back(message("frame ", number, ": has a second file ", entry.name, "; left out"));
     }
+  const std::string start = "pattern/" + take + "/";
+  for (const engine::File::Entry& entry : folder.entries()) {
+    if (!entry.name.starts_with(start)) continue;
+    const std::string rest = entry.name.substr(start.size());
+    const std::size_t slash = std::min(rest.find('/'), rest.size());
+    const long number = number_of(rest.substr(0, slash)),
+               pattern =
+                   slash == rest.size() ? -1 : number_of(rest.substr(slash + 1, rest.find_last_of('.') - slash - 1));
+    if (number < 0 || pattern < 0 || pattern > 4) {
+      troubles.push_back("file " + entry.name + ": is no fringe picture like " + start + "17/0.png to 4.png; left out");
+      continue;
+    }
+    frames[number].number = number;
+    frames[number].paths.patterns[static_cast<std::size_t>(pattern)] = entry.path;
+  }
   std::vector<Frame> out;
   for (auto& [number, frame] : frames) {
-    if (frame.paths.depth.empty() && frame.paths.cloud.empty()) frame.trouble = "it has a picture or mask but no depth";
+    if (frame.paths.depth.empty() && frame.paths.cloud.empty() && !frame.paths.has_patterns())
+      frame.trouble = "it has a picture or mask but no depth";
     out.push_back(std::move(frame));
   }
   return out;
@@ -104,9 +125,12 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
   const std::string camera_path = folder.find("camera.json");
   check(!camera_path.empty(), title_of(folder), ": has no camera.json, which says fx, fy, cx and cy");
   const ScanCameraFile camera = read_scan_camera(engine::File::at(camera_path));
+  std::optional<ScanProjectorFile> projector;
+  if (const std::string path = folder.find("projector.json"); !path.empty())
+    projector = read_scan_projector(engine::File::at(path));
   std::vector<std::string> troubles;
   std::vector<Frame> frames = frames_of(folder, take, troubles);
-  check(!frames.empty(), title_of(folder), ": has no files of take ", take, " below depth or cloud");
+  check(!frames.empty(), title_of(folder), ": has no files of take ", take, " below depth, cloud or pattern");
   if (!camera.says_rate)
     troubles.push_back(message("camera.json has no rate_hz: ", camera.rate_hz, " frames per second are taken"));
 
@@ -114,7 +138,7 @@ DepthTakeResult depth_take(const engine::File& folder, const std::string& take, 
   // held.
   const auto read = [&](Frame& frame) -> std::optional<DepthFrame> {
     try {
-      return read_depth_frame(frame.paths, camera);
+      return read_depth_frame(frame.paths, camera, projector ? &*projector : nullptr);
     } catch (const std::exception& error) {
       frame.trouble = error.what();
       return {};

@@ -48,7 +48,7 @@ struct Take {
 std::vector<Take> takes_of(const engine::File& folder) {
   std::set<std::string> names;
   for (const engine::File::Entry& entry : folder.entries())
-    for (const std::string kind : {"depth/", "cloud/"}) {
+    for (const std::string kind : {"depth/", "cloud/", "pattern/"}) {
       if (!entry.name.starts_with(kind)) continue;
       const std::size_t end = entry.name.find('/', kind.size());
       if (end != std::string::npos) names.insert(entry.name.substr(kind.size(), end - kind.size()));

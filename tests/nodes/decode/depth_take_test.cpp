@@ -8,6 +8,7 @@
 #include <cstring>
 #include <functional>
 
+#include "nodes/base/fringe_patterns.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/depth_pictures.h"
 #include "tests/support/expect_throw_text.h"
@@ -84,6 +85,7 @@ class Stream {
     picture(std::to_string(number), 50 + number);
   }
   void write(const std::string& name, const std::string& bytes) { files_.write(name, bytes); }
+  void remove(const std::string& name) { std::filesystem::remove(files_.path(name)); }
 
   engine::File folder() const {
     std::vector<engine::File::Entry> entries;
@@ -257,6 +259,101 @@ TEST(DepthTake, NamesFramesOfAnotherSizeAndDepthOfEightBits) {
             "left out");
 }
 
+// Five pictures of fringes on a wall at 1,000 mm, half a metre wide, in formats that mix.
+class FringeStream : public Stream {
+ public:
+  static constexpr const char* projector_json =
+      R"({"fx": 1500, "cx": 511.5, "cy": 383.5, "width": 1024, "height": 768, "position_mm": [-100, 0, 0],
+          "cam_from_world": [1, 0, 0, 0, 1, 0, 0, 0, 1]})";
+  FringeStream() { write("projector.json", projector_json); }
+
+  void fringes(int frame, double distance_mm = 1000) {
+    const FringePatterns patterns;
+    for (std::size_t k = 0; k < FringePatterns::count; ++k) {
+      std::string grey, wide, colours;
+      std::vector<float> floats;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const double at_mm = (x - 31.5) / 200 * distance_mm;
+          const double column = 511.5 + 1500 * (at_mm + 100) / distance_mm;
+          const double light = 0.1 + 0.7 * patterns.light(k, column);
+          grey += static_cast<char>(std::lround(255 * light));
+          const long level = std::lround(65535 * light);
+          wide += static_cast<char>(level / 256), wide += static_cast<char>(level % 256);
+          colours += std::string(3, grey.back());
+          floats.push_back(static_cast<float>(light));
+        }
+      const std::string name = "pattern/a/" + std::to_string(frame) + "/" + std::to_string(k);
+      if (k == 1)
+        write(name + ".pgm", "P5\n64 48\n65535\n" + wide);
+      else if (k == 2)
+        write(name + ".ppm", "P6\n64 48\n255\n" + colours);
+      else if (k == 3)
+        write(name + ".exr", exr(floats));
+      else
+        write(name + ".pgm", "P5\n64 48\n255\n" + grey);
+    }
+  }
+};
+
+TEST(DepthTake, ReadsFringePicturesInAnyFormat) {
+  FringeStream stream;
+  stream.fringes(0);
+  stream.fringes(1, 1040);
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(result.report, "");
+  ASSERT_EQ(stream.scans.size(), 2u);
+  for (std::size_t f = 0; f < 2; ++f) {
+    std::size_t found = 0;
+    for (const float depth : stream.scans[f].depth_mm) {
+      if (!(depth > 0)) continue;
+      ++found;
+      EXPECT_NEAR(depth, f == 0 ? 1000 : 1040, 2);
+    }
+    EXPECT_GT(found, stream.scans[f].depth_mm.size() * 8 / 10);
+    EXPECT_EQ(stream.scans[f].picture.channels, 1);
+  }
+}
+
+TEST(DepthTake, NamesFringePicturesThatAreWrongAndKeepsTheRest) {
+  FringeStream stream;
+  for (const int n : {0, 1, 2, 3}) stream.fringes(n);
+  stream.write("pattern/a/1/2.ppm", "P6 nonsense");
+  stream.remove("pattern/a/2/4.pgm");
+  stream.write("pattern/a/3/0.pgm", "P5 20 20 255\n" + std::string(400, 'x'));
+  stream.write("pattern/a/3/7.pgm", "x");
+  const DepthTakeResult result = stream.read();
+  EXPECT_EQ(stream.ids, (std::vector<std::string>{"0"}));
+  ASSERT_EQ(stream.heard.texts.size(), 4u);
+  EXPECT_EQ(stream.heard.texts[0],
+            "take a, file pattern/a/3/7.pgm: is no fringe picture like pattern/a/17/0.png to 4.png; left out");
+  EXPECT_EQ(stream.heard.texts[1].substr(0, 35), "take a, frame 1: pattern/a/1/2.ppm ");
+  EXPECT_EQ(stream.heard.texts[2], "take a, frame 2: it has no fringe picture 4, expected 0 to 4; left out");
+  EXPECT_EQ(stream.heard.texts[3],
+            "take a, frame 3: its fringe picture 1.pgm is 64 x 48 pixels, expected 20 x 20; left out");
+  stream.remove("projector.json");
+  EXPECT_EQ(why_nothing_is_left(stream),
+            "take a: none of its 4 frames is left; frame 0: it has fringe pictures, but there is no projector.json "
+            "beside camera.json; the take is left out");
+}
+
+TEST(DepthTake, RejectsAProjectorFileThatCannotBe) {
+  const auto message = [](const std::string& json) {
+    FringeStream stream;
+    stream.fringes(0);
+    stream.write("projector.json", json);
+    return message_of([&] { stream.read(); });
+  };
+  EXPECT_EQ(message(R"({"fx": 2000, "cx": 511.5, "cy": 383.5})"),
+            "projector.json: has no width, the pixels over which the fringes lie");
+  EXPECT_EQ(message(R"({"fx": 2000, "fy": 1000, "cx": 511.5, "cy": 383.5, "width": 1024, "height": 768})"),
+            "projector.json: fy is 0.5 times fx, expected pixels as high as wide");
+  EXPECT_EQ(message(R"({"fx": 2000, "cx": 5, "cy": 3, "width": 1024, "height": 768, "fine_periods": 0})"),
+            "projector.json at /fine_periods: found 0, expected more than 0");
+  EXPECT_EQ(message(R"({"fx": 2000, "cx": 5, "cy": 3, "width": 1024, "height": 768, "near_mm": 2000})"),
+            "projector.json: near_mm is 2000 and far_mm 1150, expected near_mm to be less");
+}
+
 TEST(DepthTake, SaysOnceWhatFramesInARowHaveWrong) {
   Stream stream;
   for (const int n : {1, 6, 7}) stream.frame(n);
@@ -353,7 +450,7 @@ TEST(DepthTake, RejectsACameraFileThatCannotBe) {
 
 TEST(DepthTake, RejectsAFolderWithoutCameraOrFrames) {
   Stream stream;
-  EXPECT_NE(message_of([&] { stream.read(); }).find(": has no files of take a below depth or cloud"),
+  EXPECT_NE(message_of([&] { stream.read(); }).find(": has no files of take a below depth, cloud or pattern"),
             std::string::npos);
   engine::SeqWriter<DepthScan> none([](std::string, DepthScan) {});
   engine::Progress quiet;
