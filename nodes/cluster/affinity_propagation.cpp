@@ -51,7 +51,7 @@ AffinityPropagationResult affinity_propagation(const Matrix& points, const Affin
       assignment = improve_locally(points, central, std::move(assignment), result.preference);
     }
   }
-  if (!result.converged)
+  if (!result.converged && !pruned && !options.improve)
     progress.warn(
         message("exemplars still changed after ", result.iterations, " iterations; a larger damping may settle them"));
   result.similarity = net_similarity(points, assignment, result.preference);

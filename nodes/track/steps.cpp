@@ -142,6 +142,10 @@ Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given
   bonds.depths_px = usual_depths_px(start);
 }
 
+void Knowledge::learn_sides(const Image& patches) {
+  for (std::size_t i = 0; i < sides_px.size(); ++i) sides_px[i] = side_of(patches, i, 0, side_px);
+}
+
 bool Knowledge::is_dot(std::size_t point) const {
   const auto marks = std::count_if(outline.begin(), outline.end(), [&](std::size_t i) { return is_mark(i); });
   return is_mark(point) && 2 * marks >= static_cast<std::ptrdiff_t>(outline.size());

@@ -30,6 +30,8 @@ struct Knowledge {
   std::vector<std::size_t> jaw_line;  // the same; empty without an outline
   double mouth_px = 0;                // its width at the start
   Bonds bonds;
+  // Sets sides_px by the patches that the start placed.
+  void learn_sides(const Image& patches);
   // Something small that tells its place: a dot, a mole, a corner.
   bool is_mark(std::size_t point) const { return sides_px[point] < side_px; }
   // Such a point on a face whose lips are painted with dots, most of them at least.

@@ -161,8 +161,7 @@ TrackKltResult track(const engine::Window<Image>& frames, const Landmarks& start
   TrackKltResult result;
   if (prior) {
     result = *prior;
-    for (std::size_t i = 0; i < start.points.size(); ++i)
-      known.sides_px[i] = side_of(result.patches, i, 0, known.side_px);
+    known.learn_sides(result.patches);
     const Grey before = grey_of(frames[frames.centre_index() - 1]);
     const FlowPair flow(before, now, known.side_px, static_cast<int>(options.levels));
     advance(known, flow, frame, before, now, result);
@@ -186,6 +185,18 @@ TrackKltResult track(const engine::Window<Image>& frames, const Landmarks& start
   result.lost = static_cast<double>(std::count_if(result.landmarks.points.begin(), result.landmarks.points.end(),
                                                   [](const Landmark& p) { return !p.valid; }));
   return result;
+}
+
+// By what the pictures are made smaller.
+double times_to_shrink(const Image& frame, const Landmarks& start, const TrackKltOptions& options) {
+  const std::vector<std::size_t> outline = find_outline(start, options.outline);
+  if (outline.empty()) return 1;
+  const double mouth_px = mouth_width_px(start, outline), times = mouth_px / options.tracked_mouth_px;
+  if (mouth_px < options.smallest_mouth_px || mouth_px > options.largest_mouth_px) return times;
+  constexpr double worth_it = 1.1, margin = 0.2;  // of the mouth's width
+  const Shrink shrink(frame.width, frame.height, std::max(1.0, times));
+  const bool is_soft = times > worth_it && lost_contrast(frame, shrink, start, margin * mouth_px) < options.fine_detail;
+  return is_soft ? times : 1;
 }
 
 // The same in smaller pictures.
@@ -224,12 +235,12 @@ TrackKltResult track_klt(const engine::Window<Image>& frames, const Landmarks& s
                          const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
   check_inputs(frames, start, correction, prior, options);
   const Image& frame = frames.centre();
-  const std::vector<std::size_t> outline = find_outline(start, options.outline);
-  const double mouth_px = outline.empty() ? 0 : mouth_width_px(start, outline);
-  const bool is_large = mouth_px > options.largest_mouth_px;
-  const Shrink shrink(frame.width, frame.height, is_large ? std::max(1.0, mouth_px / options.small_mouth_px) : 1);
-  return shrink.is_none() ? track(frames, start, correction, prior, options)
-                          : track_small(frames, start, correction, prior, options, shrink);
+  const double shrunk = prior ? prior->shrunk : times_to_shrink(frame, start, options);
+  const Shrink shrink(frame.width, frame.height, shrunk);
+  TrackKltResult result = shrink.is_none() ? track(frames, start, correction, prior, options)
+                                           : track_small(frames, start, correction, prior, options, shrink);
+  result.shrunk = shrunk;
+  return result;
 }
 
 }  // namespace face::track

@@ -27,9 +27,10 @@ struct TrackKltOptions {
   // The contour of the chin from one side to the other; sought where the outline is and all of these are there.
   std::vector<std::string> jaw_line = {"jaw_r", "chin", "jaw_l"};
   double edge_reach_px = 4;  // how far from where it is expected the edge of the lips is looked for
-  // Pictures with a wider mouth than the first are made smaller, until it is as wide as the second; all other lengths
-  // count in what is then a pixel.
-  double largest_mouth_px = 100, small_mouth_px = 50;
+  // Pictures with a narrower mouth than the first are made larger, with a wider one than the last smaller, until it is
+  // as wide as the one between; all other lengths count in what is then a pixel.
+  double smallest_mouth_px = 30, tracked_mouth_px = 50, largest_mouth_px = 100;
+  double fine_detail = 0.045;  // pictures that would lose less of their contrast are made smaller, too
 };
 
 struct TrackKltResult {
@@ -46,6 +47,7 @@ struct TrackKltResult {
   bool valid = true;    // at least a third of the points is seen
   double lost = 0;      // points that are not valid in this frame
   double return_error_px = 0;  // largest there-and-back error of the points that were kept
+  double shrunk = 1;           // how many pixels of the picture are one of that in which points were followed
 };
 
 // Follows points from the previous frame to this one. frames: the previous frame and this one (window 1, 0). start: the
@@ -61,8 +63,9 @@ struct TrackKltResult {
 // all points are of the 18-point layout, so that a turn of the head does not turn the layout (solid_head.h). A rigid
 // point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
 //
-// Patches and reaches are made for mouths of 40 to 90 px: a patch of 15 px in a close-up holds nothing that tells its
-// place. Where the mouth at the start is wider, all this happens in a smaller picture.
+// Patches and reaches are made for mouths of 30 to 90 px: a patch of 15 px in a close-up holds nothing that tells its
+// place, in a small picture half the mouth. Where the mouth at the start is wider or narrower, all this happens in a
+// smaller or larger picture; in a smaller one also where the picture is so soft that it shows nothing more.
 //
 // A point that is not valid goes with the others to where they say that it is, within the picture; where nothing is
 // seen it keeps its place. Rigid points that are not seen go with those that are, so that a blink does not leave the

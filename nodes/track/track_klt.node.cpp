@@ -8,7 +8,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.klt", &track_klt, version{6},
+NODE("track.klt", &track_klt, version{7},
      doc{"Follows points on a face through a video by pyramidal KLT, with a check that they come home, anchors against "
          "drift, and the edge of the lips."},
      input{"frames", "The video's frames", window{1, 0}}, input{"start", "The points on the first frame"},
@@ -35,10 +35,14 @@ NODE("track.klt", &track_klt, version{6},
            "Names of the points on the contour of the chin, from one side to the other; sought where all are there"),
      param("edge_reach_px", &TrackKltOptions::edge_reach_px, range{1, 30}, unit{"px"},
            "How far from where it is expected the edge of the lips is looked for"),
-     param("largest_mouth_px", &TrackKltOptions::largest_mouth_px, range{10, 10000}, unit{"px"},
-           "Pictures with a wider mouth are made smaller first; all other lengths count in what is then a pixel"),
-     param("small_mouth_px", &TrackKltOptions::small_mouth_px, range{10, 10000}, unit{"px"},
+     param("smallest_mouth_px", &TrackKltOptions::smallest_mouth_px, range{1, 10000}, unit{"px"},
+           "Pictures with a narrower mouth are made larger first; all other lengths count in what is then a pixel"),
+     param("tracked_mouth_px", &TrackKltOptions::tracked_mouth_px, range{10, 10000}, unit{"px"},
            "How wide the mouth is then"),
+     param("largest_mouth_px", &TrackKltOptions::largest_mouth_px, range{10, 10000}, unit{"px"},
+           "Pictures with a wider mouth are made smaller first"),
+     param("fine_detail", &TrackKltOptions::fine_detail, range{0.0, 1.0}, unit{"1"},
+           "So are pictures that would lose less of their contrast by it"),
      output("landmarks", &TrackKltResult::landmarks, "The points of each frame"),
      output("followed", &TrackKltResult::followed, "The points as if nobody had put anything right"),
      output("put_right", &TrackKltResult::put_right, "The points that corrections placed, by name"),
@@ -51,4 +55,6 @@ NODE("track.klt", &track_klt, version{6},
      output("state", &TrackKltResult::state, "start, followed, found, cut, even or lost"),
      output("valid", &TrackKltResult::valid, "False where the face is not seen"),
      output("lost", &TrackKltResult::lost, "Number of points that are not valid"),
-     output("return_error_px", &TrackKltResult::return_error_px, "Largest there-and-back error of the kept points"));
+     output("return_error_px", &TrackKltResult::return_error_px, "Largest there-and-back error of the kept points"),
+     output("shrunk", &TrackKltResult::shrunk,
+            "How many pixels of the picture are one of that in which the points were followed"));

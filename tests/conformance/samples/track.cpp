@@ -130,7 +130,9 @@ const Registered track({
                {"track.find_rest.from_share", {0.5}},
                {"track.stabilise.rigid", {names({"eye_inner_r", "eye_inner_l"})}}},
     .settings = {{"track.find_rest", {{{"still_share", 1.0}, {"to_share", 1.0}}}},
-                 {"track.klt", {{{"largest_mouth_px", 20.0}, {"small_mouth_px", 16.0}}}}},
+                 {"track.klt",
+                  {{{"largest_mouth_px", 20.0}, {"smallest_mouth_px", 5.0}, {"tracked_mouth_px", 16.0}},
+                   {{"smallest_mouth_px", 5.0}, {"tracked_mouth_px", 16.0}}}}},
 });
 
 }  // namespace
