@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/read_landmarks.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/decode/input_file.h"
 #include "nodes/decode/json_file.h"
+#include "nodes/decode/landmark_sets.h"
 
 namespace face::decode {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double other_shape = 0.02;  // by which the sides' ratio may be rounded where a picture is scaled
 constexpr const char* known_files = "our JSON, MediaPipe's JSON, or .pts";
 
 bool inside(const Landmark& point, const ReadLandmarksResult& result) {
@@ -34,9 +39,12 @@ void set_size(const Json* size, const Image* image, const std::string& title, Re
       fail(title, " at /image_size: found ", describe_json(*size), ", expected [width, height] in pixels");
     result.image_width_px = json_index((*size)[0], title, "/image_size/0");
     result.image_height_px = json_index((*size)[1], title, "/image_size/1");
-    if (image && (image->width != result.image_width_px || image->height != result.image_height_px))
+    const auto scaled_height = image ? static_cast<double>(image->width) * static_cast<double>(result.image_height_px) /
+                                           static_cast<double>(std::max<std::int64_t>(result.image_width_px, 1))
+                                     : 0;
+    if (image && std::abs(scaled_height - image->height) > other_shape * image->height)
       fail(title, " at /image_size: found ", result.image_width_px, " x ", result.image_height_px,
-           ", but the image is ", image->width, " x ", image->height, " pixels");
+           ", but the image is ", image->width, " x ", image->height, " pixels, which is no other size of it");
   } else if (image) {
     result.image_width_px = image->width;
     result.image_height_px = image->height;
@@ -56,6 +64,28 @@ ReadLandmarksResult read_ours(const Json& json, const Image* image, const std::s
     result.landmarks.points.push_back(point);
   }
   return result;
+}
+
+// Brings points of the file's picture to the size of the one at hand. Pixels' centres are whole numbers.
+void scale_to(const Image& image, ReadLandmarksResult& result) {
+  const double across = image.width / static_cast<double>(std::max<std::int64_t>(result.image_width_px, 1)),
+               down = image.height / static_cast<double>(std::max<std::int64_t>(result.image_height_px, 1));
+  if (across == 1 && down == 1) return;
+  for (Landmark& point : result.landmarks.points) {
+    point.x_px = (point.x_px + 0.5) * across - 0.5;
+    point.y_px = (point.y_px + 0.5) * down - 0.5;
+  }
+  result.image_width_px = image.width;
+  result.image_height_px = image.height;
+}
+
+void check_sides(const Landmarks& landmarks, const std::string& title) {
+  for (const auto& [right, left] : {std::pair{"eye_inner_r", "eye_inner_l"}, {"lip_0", "lip_6"}, {"jaw_r", "jaw_l"}}) {
+    const Landmark *const r = find_landmark(landmarks, right), *const l = find_landmark(landmarks, left);
+    if (r && l && r->x_px >= l->x_px)
+      fail(title, ": ", right, " lies at ", r->x_px, ", ", r->y_px, ", right of ", left, " at ", l->x_px, ", ", l->y_px,
+           "; _r (and lip_0) is the face's own right, which is left in the picture: are the names swapped?");
+  }
 }
 
 bool is_point(const Json& json) { return json.is_object() && json.contains("x") && json.contains("y"); }
@@ -155,24 +185,49 @@ ReadLandmarksResult read_pts(const std::string& text, const Image* image, const 
   return result;
 }
 
+// is_mesh: whether it holds MediaPipe's.
+ReadLandmarksResult read_any_json(const engine::File& file, const Image* image, const ReadLandmarksOptions& options,
+                                  bool& is_mesh) {
+  const std::string title = title_of(file);
+  const Json json = read_json(file);
+  if (json.is_object() && json.contains("frame")) {
+    const std::int64_t frame = json_index(json["frame"], title, "/frame");
+    check(options.frame < 0 || frame == options.frame, title, " at /frame: found ", frame, ", expected ", options.frame,
+          ": these points are of another frame of the clip");
+  }
+  if (!json.is_object() || !json.contains("points")) {
+    std::string pointer;
+    if (const Json* points = media_pipe_points(json, pointer))
+      if (points->is_array() && !points->empty() && is_point((*points)[0])) {
+        is_mesh = true;
+        return read_media_pipe(json, *points, pointer, image, title);
+      }
+  }
+  return read_ours(json, image, title);
+}
+
 }  // namespace
 
-ReadLandmarksResult read_landmarks(const engine::File& file, const Image* image) {
+ReadLandmarksResult read_landmarks(const engine::File& file, const Image* image, const ReadLandmarksOptions& options) {
   const std::string title = title_of(file);
   const std::string suffix = lower_suffix(file);
   check(suffix != ".xml" && suffix != ".dat" && suffix != ".task" && suffix != ".csv", title, ": found the suffix \"",
         file.suffix(), "\", expected ", known_files);
   const std::string text = read_bytes(file);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (suffix == ".pts" || (first != std::string::npos && text.compare(first, 8, "version:") == 0))
-    return read_pts(text, image, title);
-  const Json json = read_json(file);
-  if (json.is_object() && json.contains("points")) return read_ours(json, image, title);
-  std::string pointer;
-  if (const Json* points = media_pipe_points(json, pointer))
-    if (points->is_array() && !points->empty() && is_point((*points)[0]))
-      return read_media_pipe(json, *points, pointer, image, title);
-  return read_ours(json, image, title);
+  const bool is_pts = suffix == ".pts" || (first != std::string::npos && text.compare(first, 8, "version:") == 0);
+  bool is_mesh = false;
+  ReadLandmarksResult result = is_pts ? read_pts(text, image, title) : read_any_json(file, image, options, is_mesh);
+  if (image) scale_to(*image, result);
+  Landmarks& landmarks = result.landmarks;
+  if (options.names != LandmarkNames::file && is_mesh) landmarks = multi_pie_of_media_pipe(landmarks);
+  if (options.names == LandmarkNames::clip) {
+    const bool is_multi_pie =
+        landmarks.points.size() == 68 && (landmarks.points[0].name == "0" || landmarks.points[0].name == "00");
+    if (is_multi_pie) landmarks = clip_points_of_multi_pie(landmarks);
+    check_sides(landmarks, title);
+  }
+  return result;
 }
 
 }  // namespace face::decode

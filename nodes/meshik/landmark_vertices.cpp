@@ -2,26 +2,22 @@
 #include "nodes/meshik/landmark_vertices.h"
 
 #include "nodes/base/check.h"
+#include "nodes/base/clip_points.h"
 
 namespace face::meshik {
 
 std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks) {
   check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(), " landmarks, expected 68");
   const auto place = [](const std::string& name) -> int {
-    for (int i = 0; i < 12; ++i)
-      if (name == "lip_" + std::to_string(i)) return 48 + i;
+    for (const auto& [known, number] : clip_points)
+      if (name == known) return static_cast<int>(number);
     for (int i = 0; i < 8; ++i)
       if (name == "inner_lip_" + std::to_string(i)) return 60 + i;
     if (name.size() == 2 && name[0] >= '0' && name[0] <= '6' && name[1] >= '0' && name[1] <= '9') {
       const int number = 10 * (name[0] - '0') + name[1] - '0';
       return number < 68 ? number : -1;
     }
-    if (name == "jaw_r") return 7;
-    if (name == "chin") return 8;
-    if (name == "jaw_l") return 9;
-    if (name == "eye_inner_r") return 39;
-    if (name == "eye_inner_l") return 42;
-    return name == "nose_tip" ? 30 : -1;
+    return -1;
   };
   std::vector<LandmarkVertex> found;
   for (std::size_t i = 0; i < landmarks.points.size(); ++i) {

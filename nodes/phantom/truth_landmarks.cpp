@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nodes/base/check.h"
+#include "nodes/base/clip_points.h"
 #include "nodes/phantom/head_view.h"
 
 namespace face::phantom {
@@ -20,9 +21,7 @@ std::vector<std::pair<std::string, std::size_t>> points_of(LandmarkSet set) {
     for (std::size_t i = 0; i < 68; ++i) points.emplace_back(two_digits(i), i);
     return points;
   }
-  points = {{"eye_inner_r", 39}, {"eye_inner_l", 42}, {"nose_tip", 30}};
-  for (std::size_t i = 0; i < 12; ++i) points.emplace_back("lip_" + std::to_string(i), 48 + i);
-  points.insert(points.end(), {{"jaw_r", 7}, {"chin", 8}, {"jaw_l", 9}});
+  for (const auto& [name, number] : clip_points) points.emplace_back(name, number);
   return points;
 }
 

@@ -114,13 +114,83 @@ TEST(ReadLandmarks, ReadsPtsWhosePixelsCountFromOne) {
   EXPECT_THROW_TEXT(read("hello\n"), "face.pts:1: found \"hello\", expected version:, n_points: or {");
 }
 
-TEST(ReadLandmarks, RejectsAnImageOfAnotherSizeAndOtherFiles) {
+TEST(ReadLandmarks, ScalesPointsToThePictureInAnotherSize) {
+  const test::Temporary temporary;
+  const Image twice{8, 6, 1, std::vector<std::uint8_t>(48)};
+  const auto result = read_landmarks(
+      engine::File::at(temporary.write("p.json", R"({"image_size": [4, 3], "points": {"a": [0, 1], "b": [3, 2]}})")),
+      &twice);
+  EXPECT_EQ(result.image_width_px, 8);
+  EXPECT_EQ(result.landmarks.points[0].x_px, 0.5);  // the centre of the first pixel is between the first two
+  EXPECT_EQ(result.landmarks.points[0].y_px, 2.5);
+  EXPECT_EQ(result.landmarks.points[1].x_px, 6.5);
+}
+
+// A mesh of MediaPipe's whose point i is at i / 1000 across.
+std::string mesh(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += (i == 0 ? "[" : ",") + std::string("{\"x\":") + std::to_string(i / 1000.0) + ",\"y\":0.5}";
+  return text + "]";
+}
+
+TEST(ReadLandmarks, GivesMediaPipesPointsTheNamesThatAreAskedFor) {
+  const test::Temporary temporary;
+  const Image image{1000, 100, 1, std::vector<std::uint8_t>(100000)};
+  const auto read = [&](int count, LandmarkNames names) {
+    return read_landmarks(engine::File::at(temporary.write("face.json", mesh(count))), &image, {names, -1}).landmarks;
+  };
+  EXPECT_EQ(read(478, LandmarkNames::file).points.size(), 478u);
+  const Landmarks all = read(478, LandmarkNames::multi_pie);
+  ASSERT_EQ(all.points.size(), 68u);
+  EXPECT_EQ(all.points[36].name, "36");
+  EXPECT_NEAR(all.points[36].x_px, 33 - 0.5, 1e-9);  // outer corner of the right eye
+  EXPECT_NEAR(all.points[8].x_px, 152 - 0.5, 1e-9);  // chin
+  const test::Temporary other;
+  // As sides are checked, the points lie as on a face: left is right of right.
+  std::string text = mesh(468);
+  const Landmarks clip =
+      read_landmarks(engine::File::at(other.write("face.json", text)), &image, {LandmarkNames::clip, -1}).landmarks;
+  ASSERT_EQ(clip.points.size(), 18u);
+  EXPECT_EQ(clip.points[0].name, "eye_inner_r");
+  EXPECT_NEAR(clip.points[0].x_px, 133 - 0.5, 1e-9);
+  EXPECT_EQ(clip.points[3].name, "lip_0");
+  EXPECT_NEAR(clip.points[3].x_px, 61 - 0.5, 1e-9);
+  EXPECT_EQ(read(400, LandmarkNames::file).points.size(), 400u);
+  EXPECT_THROW_TEXT(read(400, LandmarkNames::multi_pie), "MediaPipe's face mesh has 400 points, expected 468 or 478");
+}
+
+TEST(ReadLandmarks, TakesAClipsPointsFromMultiPiesAndLeavesItsOwn) {
+  std::string points;
+  for (int i = 0; i < 68; ++i)
+    points += (i == 0 ? "" : ",") + std::string("\"") + std::to_string(i) + "\":[" + std::to_string(i) + ",3]";
+  const test::Temporary temporary;
+  const auto read = [&](const std::string& list, int frame = -1) {
+    return read_landmarks(engine::File::at(temporary.write(
+                              "p.json", R"({"frame": 7, "image_size": [100, 9], "points": {)" + list + "}}")),
+                          nullptr, {LandmarkNames::clip, frame})
+        .landmarks;
+  };
+  const Landmarks clip = read(points);
+  ASSERT_EQ(clip.points.size(), 18u);
+  EXPECT_EQ(clip.points[2].name, "nose_tip");
+  EXPECT_EQ(clip.points[2].x_px, 30);
+  EXPECT_EQ(read(R"("chin": [1, 2])").points.size(), 1u);
+  EXPECT_EQ(read(R"("chin": [1, 2])", 7).points.size(), 1u);
+  EXPECT_THROW_TEXT(read(R"("chin": [1, 2])", 0),
+                    "p.json at /frame: found 7, expected 0: these points are of another frame of the clip");
+  EXPECT_THROW_TEXT(read(R"("eye_inner_r": [5, 2], "eye_inner_l": [3, 2])"),
+                    "p.json: eye_inner_r lies at 5, 2, right of eye_inner_l at 3, 2; _r (and lip_0) is the face's own "
+                    "right, which is left in the picture: are the names swapped?");
+}
+
+TEST(ReadLandmarks, RejectsAnImageOfAnotherShapeAndOtherFiles) {
   const test::Temporary temporary;
   const Image image{4, 4, 1, std::vector<std::uint8_t>(16)};
   EXPECT_THROW_TEXT(
       read_landmarks(engine::File::at(temporary.write("p.json", R"({"image_size": [3, 4], "points": {"a": [1, 1]}})")),
                      &image),
-      "p.json at /image_size: found 3 x 4, but the image is 4 x 4 pixels");
+      "p.json at /image_size: found 3 x 4, but the image is 4 x 4 pixels, which is no other size of it");
   EXPECT_THROW_TEXT(landmarks_of(temporary.write("face.xml", "<x/>")),
                     "face.xml: found the suffix \".xml\", expected our JSON, MediaPipe's JSON, or .pts");
 }
