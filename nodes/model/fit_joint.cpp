@@ -99,9 +99,11 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
     fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
                           " % of the eye distance off, expected at most ", 100 * limits.max_nme,
                           " %: check their names and places");
-  else if (const double found = likeness(joint, index, small); found < least_likeness)
-    fit.problem = message("what is at the points does not look like a face (likeness ", std::round(100 * found) / 100 + 0.0,
-                          ", expected at least ", least_likeness,
+  else if (const double found =
+               likeness({*joint.model, joint.basis, joint.identity, picture.state, picture.eyes_px}, small);
+           found < least_likeness)
+    fit.problem = message("what is at the points does not look like a face (likeness ",
+                          std::round(100 * found) / 100 + 0.0, ", expected at least ", least_likeness,
                           "): use points of this picture, on a face that is upright and not hidden");
   fit.converged = fit.problem.empty() && std::isfinite(fit.image_rms);
 }

@@ -60,8 +60,8 @@ double point_cost(const Joint& joint, std::size_t index);
 // Robust difference of a picture and the model (Geman and McClure's cost, mean over fixed random points).
 double image_cost(const Joint& joint, std::size_t index, const PictureLevel& level);
 
-// What the fit of a picture is worth, and what is wrong with it. small: the picture where the eyes are some 55 pixels
-// apart.
+// What the fit of a picture is worth, and what is wrong with it. small: the picture at the size that
+// likeness takes.
 void report(Joint& joint, std::size_t index, const PictureLevel& level, const PictureLevel& small, FaceFit& fit);
 
 }  // namespace face::model

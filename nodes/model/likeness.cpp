@@ -2,6 +2,7 @@
 #include "nodes/model/likeness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
@@ -31,25 +32,48 @@ struct Plain {
   cv::Mat region;  // of it, what is compared
 };
 
-Plain draw(const Joint& joint, std::size_t index, const PictureLevel& level) {
-  const PictureState& state = joint.pictures[index].state;
-  const SkinBasis& basis = joint.basis;
-  const std::vector<Vec3f> points = posed_skin(basis, joint.identity, state.expression);
-  const std::vector<Vec3f> normals = render::vertex_normals(points, basis.triangles);
-  const std::vector<render::ScreenPoint> screen = render::project(camera_of(scaled(state.pose, level.factor)), points);
+// What every vertex looks like, 0 to 1; between them as light and albedo are, all but linear.
+std::vector<float> shades(const LikenessFace& face, const std::vector<Vec3f>& normals) {
+  std::vector<float> shade(normals.size());
+  if (face.colours == nullptr) {
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+      const Vec3f &n = normals[v], &albedo = face.model.mean_albedo[face.basis.vertices[v]];
+      const float cosine = n[0] * light[0] + n[1] * light[1] + n[2] * light[2];
+      shade[v] = static_cast<float>(luma[0] * albedo[0] + luma[1] * albedo[1] + luma[2] * albedo[2]) *
+                 (ambient + parallel * std::max(0.0f, cosine));
+    }
+    return shade;
+  }
+  const PictureState& state = face.state;
+  Vec3f towards{};  // the light, in the head's frame
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t row = 0; row < 3; ++row)
+      towards[k] += static_cast<float>(state.pose.rotation[3 * row + k]) * state.light.direction[row];
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Vec3f& n = normals[v];
+    const double cosine = (state.seen.empty() ? 1.0 : static_cast<double>(state.seen[v])) *
+                          static_cast<double>(n[0] * towards[0] + n[1] * towards[1] + n[2] * towards[2]);
+    std::array<double, 3> lit{};
+    for (std::size_t c = 0; c < 3; ++c)
+      lit[c] = light_at(state.light, c, cosine) * std::max(1e-4, static_cast<double>((*face.colours)[v][c]));
+    const std::array<double, 3> value = shown(state.light, lit);
+    shade[v] = static_cast<float>(luma[0] * value[0] + luma[1] * value[1] + luma[2] * value[2]);
+  }
+  return shade;
+}
+
+Plain draw(const LikenessFace& face, const PictureLevel& level) {
+  const SkinBasis& basis = face.basis;
+  const std::vector<Vec3f> points = posed_skin(basis, face.identity, face.state.expression);
+  const std::vector<render::ScreenPoint> screen =
+      render::project(camera_of(scaled(face.state.pose, level.factor)), points);
   render::RasterOptions options;
   options.width_px = level.width;
   options.height_px = level.height;
   const render::Raster raster = render::rasterize(screen, basis.triangles, options);
-  std::vector<float> shade(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const Vec3f &n = normals[v], &albedo = joint.model->mean_albedo[basis.vertices[v]];
-    const float cosine = n[0] * light[0] + n[1] * light[1] + n[2] * light[2];
-    shade[v] = static_cast<float>(luma[0] * albedo[0] + luma[1] * albedo[1] + luma[2] * albedo[2]) *
-               (ambient + parallel * std::max(0.0f, cosine));
-  }
-  const std::vector<std::uint32_t>& marks = joint.model->landmarks68;
-  const auto height = [&](std::size_t mark) { return joint.model->mean.points_mm[marks[mark]][1]; };
+  const std::vector<float> shade = shades(face, render::vertex_normals(points, basis.triangles));
+  const std::vector<std::uint32_t>& marks = face.model.landmarks68;
+  const auto height = [&](std::size_t mark) { return face.model.mean.points_mm[marks[mark]][1]; };
   const float top = marks.size() == 68 ? std::min(height(19), height(24)) : 1e9f;
   Plain plain;
   const cv::Size size(level.width, level.height);
@@ -105,15 +129,15 @@ cv::Mat band(const cv::Mat& values, const cv::Mat& weights, double eyes_px) {
 
 }  // namespace
 
-double likeness(const Joint& joint, std::size_t index, const PictureLevel& level) {
-  const Plain plain = draw(joint, index, level);
+double likeness(const LikenessFace& face, const PictureLevel& level) {
+  const Plain plain = draw(face, level);
   if (cv::countNonZero(plain.region) < least_pixels) return 0;
   cv::Mat picture(plain.value.size(), CV_32F), weights;
   for (std::size_t i = 0; i < level.samples.size(); ++i)
     reinterpret_cast<float*>(picture.data)[i] = static_cast<float>(
         luma[0] * level.samples[i][0] + luma[1] * level.samples[i][1] + luma[2] * level.samples[i][2]);
   plain.inside.convertTo(weights, CV_32F, 1.0 / 255.0);
-  const double eyes_px = joint.pictures[index].eyes_px * level.factor;
+  const double eyes_px = face.eyes_px * level.factor;
   const cv::Mat seen = band(picture, weights, eyes_px), expected = band(plain.value, weights, eyes_px);
   std::vector<float> a, b, sizes;
   for (int y = 0; y < level.height; ++y)

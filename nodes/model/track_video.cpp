@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "nodes/base/check.h"
+#include "nodes/model/likeness.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
@@ -147,10 +148,24 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   const PixelRows rows =
       pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
   fit.image_rms = trimmed_rms(rows.residual);
-  fit.converged = fit.image_rms <= options.max_image_rms;
-  fit.problem = fit.converged ? ""
-                              : message("frame and model differ by ", std::lround(100 * fit.image_rms),
-                                        " % of the scale: the face is lost here; start anew after it");
+  if (!(fit.image_rms <= options.max_image_rms)) {
+    fit.problem = message("frame and model differ by ", std::lround(100 * fit.image_rms),
+                          " % of the scale: the face is lost here; start anew after it");
+  } else {
+    const double seen = likeness({model, tracked.basis, tracked.identity, state, eyes_px, &tracked.colours},
+                                 make_level(frame, std::min(1.0, likeness_eyes_px / eyes_px)));
+    fit.problem = seen >= options.min_likeness
+                      ? ""
+                      : message("the frame does not look like the face of the first one (likeness ",
+                                std::round(100 * seen) / 100 + 0.0, ", expected at least ", options.min_likeness,
+                                "): the face is lost here; start anew after it");
+  }
+  fit.converged = fit.problem.empty();
+  if (fit.converged) return result;
+  // The next frame starts from the last one that was believed, not from where a lost one has drifted to.
+  fit.expression = before.expression;
+  fit.camera = before.camera;
+  fit.lip_gap_mm = before.lip_gap_mm;
   return result;
 }
 

@@ -397,6 +397,46 @@ TEST(TrackVideo, FollowsAHeadThatTurnsAndAMouthThatOpens) {
   EXPECT_NEAR(prior->fit.lip_gap_mm, truth_mm, 2.5);
 }
 
+// Black frames in between: the place that a lost frame drifts to is no start for the next one.
+TEST(TrackVideo, GoesOnWhereItLastSawTheFace) {
+  const AlbedoMap map = striped_map();
+  const FaceFit start = true_fit(0);
+  engine::Prior<model::TrackVideoResult> prior;
+  const auto follow = [&](const Image& frame) {
+    prior = engine::Prior<model::TrackVideoResult>(std::make_shared<const model::TrackVideoResult>(
+        model::track_video(test::head_model(), frame, start, map, prior)));
+    return prior->fit;
+  };
+  const Image face = drawn(true_fit(2), map, rest());
+  const FaceFit before = follow(face);
+  EXPECT_TRUE(before.converged) << before.problem;
+  for (int t = 0; t < 4; ++t) {
+    const FaceFit lost = follow(test::blank(320, 320, 0));
+    EXPECT_FALSE(lost.converged);
+    EXPECT_EQ(lost.camera.position_mm, before.camera.position_mm);
+    EXPECT_EQ(lost.expression, before.expression);
+  }
+  const FaceFit after = follow(face);
+  EXPECT_TRUE(after.converged) << after.problem;
+  EXPECT_LT(test::turn_error_deg(after.camera, test::make_scene(2)), 1.0);
+}
+
+// After a cut light and skin still match, but eyes and mouth are elsewhere.
+TEST(TrackVideo, DoesNotBelieveAnEmptyWallOfTheSkinsColour) {
+  const AlbedoMap map = striped_map();
+  const FaceFit start = true_fit(0);
+  const Image face = drawn(start, map, rest());
+  Image wall = face;
+  for (int y = 0; y < 320; ++y)
+    for (int x = 0; x < 320; ++x)
+      std::copy_n(&face.pixels[static_cast<std::size_t>(3 * (190 * 320 + 140))], 3,
+                  &wall.pixels[static_cast<std::size_t>(3 * (y * 320 + x))]);
+  const auto result = model::track_video(test::head_model(), wall, start, map, {}, {.max_image_rms = 1});
+  EXPECT_FALSE(result.fit.converged);
+  EXPECT_TRUE(result.fit.problem.starts_with("the frame does not look like the face of the first one (likeness "))
+      << result.fit.problem;
+}
+
 TEST(TrackVideo, SaysThatTheFaceIsLost) {
   const auto result =
       model::track_video(test::head_model(), test::blank(320, 320, 255), true_fit(0), striped_map(), {});
