@@ -10,6 +10,7 @@
 #include "nodes/phantom/articulation.h"
 #include "nodes/phantom/liveliness.h"
 #include "nodes/phantom/mouth_contacts.h"
+#include "nodes/phantom/person_random.h"
 #include "nodes/phantom/vector3.h"
 #include "nodes/types/arkit.h"
 
@@ -160,7 +161,7 @@ void check_times(const Phones& phones, const Timeline* timeline) {
 
 }  // namespace
 
-PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig* rig,
+PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig* rig, const std::string* take,
                       engine::SeqWriter<Weights>& weights, engine::SeqWriter<RigidMotion>& world_from_head,
                       const PerformOptions& options) {
   check_options(options);
@@ -173,7 +174,8 @@ PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig*
   // Events are drawn up to the end of the speech, whatever part of it the timeline shows; a later end only adds to
   // them.
   const double end_s = std::max(phones.duration_s, result.timeline.duration_s);
-  const Liveliness liveliness(phones, end_s, options.seed, {options.brows, options.gaze, options.head_motion});
+  const Liveliness liveliness(phones, end_s, person_seed(options.seed, take),
+                              {options.brows, options.gaze, options.head_motion});
   const Vector3 pivot = find_pivot(rig);
   result.closure_count = static_cast<std::int64_t>(articulator.closure_count());
   result.labiodental_count = static_cast<std::int64_t>(articulator.labiodental_count());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "engine/port.h"
 #include "nodes/types/phones.h"
@@ -43,7 +44,9 @@ struct PerformResult {
 // Differs from the paper: distances count from the edge of the middle part of a segment, and an exponent of 1.4 makes
 // curves smooth there; contacts are imposed over the blend.
 // phones: labels ARPAbet without stress, stops split ("P.c", "P.r") or whole. timeline: may be null. rig: may be null.
-PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig* rig,
+// take: its name, by which the takes of one speaker differ in all that is beside speech; null = the seed's alone, so
+// that all blink and sway at the same times.
+PerformResult perform(const Phones& phones, const Timeline* timeline, const Rig* rig, const std::string* take,
                       engine::SeqWriter<Weights>& weights, engine::SeqWriter<RigidMotion>& world_from_head,
                       const PerformOptions& options = {});
 

@@ -6,11 +6,12 @@ using namespace engine::declare;
 using namespace face::phantom;
 
 NODE(
-    "phantom.perform", &perform, version{1},
+    "phantom.perform", &perform, version{2},
     doc{"Acts out speech with known truth: weights of every frame and the head's motion, by dominance functions (Cohen "
         "and Massaro 1993) over a phone table of its own, with lips exactly shut in every P B M."},
     input{"phones", "What is said when"}, input{"timeline", "When the frames are; without it they come at rate_hz"},
     input{"rig", "The head whose lips must meet; without it mouthClose equals jawOpen in shut lips"},
+    input{"take", "Its name, for blinks, glances and sway of its own; without it all takes of a seed have the same"},
     param("rate_hz", &PerformOptions::rate_hz, range{25, 120}, unit{"Hz"}, "Frames per second without a timeline"),
     param("seed", &PerformOptions::seed, range{0, 1000000}, unit{"1"}, "Another seed is another speaker"),
     param("strength", &PerformOptions::strength, range{0, 1.5}, unit{"1"}, "Of articulation; below 1 mumbles"),

@@ -48,7 +48,7 @@ inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots
   engine::SeqWriter<RigidMotion> motion_writer([&](const std::string&, RigidMotion m) { motion.push_back(m); });
   phantom::PerformOptions perform_options;
   perform_options.rate_hz = 30;
-  phantom::perform(said.phones, nullptr, &person.person, weight_writer, motion_writer, perform_options);
+  phantom::perform(said.phones, nullptr, &person.person, nullptr, weight_writer, motion_writer, perform_options);
   const Camera camera = phantom::make_camera();
   const Lighting lighting = phantom::make_lighting();
   const Image backdrop = phantom::make_backdrop();
