@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "nodes/base/check.h"
 #include "nodes/base/clip_points.h"
@@ -28,7 +29,13 @@ Landmarks multi_pie_of_media_pipe(const Landmarks& mesh) {
     result.points.push_back(mesh.points[media_pipe_vertices[i]]);
     result.points.back().name = std::to_string(i);
   }
-  return result;
+  return with_two_digits(std::move(result));
+}
+
+Landmarks with_two_digits(Landmarks points) {
+  for (Landmark& point : points.points)
+    if (point.name.size() == 1 && point.name[0] >= '0' && point.name[0] <= '9') point.name.insert(0, 1, '0');
+  return points;
 }
 
 Landmarks clip_points_of_multi_pie(const Landmarks& points) {

@@ -220,11 +220,11 @@ ReadLandmarksResult read_landmarks(const engine::File& file, const Image* image,
   ReadLandmarksResult result = is_pts ? read_pts(text, image, title) : read_any_json(file, image, options, is_mesh);
   if (image) scale_to(*image, result);
   Landmarks& landmarks = result.landmarks;
-  if (options.names != LandmarkNames::file && is_mesh) landmarks = multi_pie_of_media_pipe(landmarks);
+  if (options.names != LandmarkNames::file)
+    landmarks = is_mesh ? multi_pie_of_media_pipe(landmarks) : with_two_digits(std::move(landmarks));
   if (options.names == LandmarkNames::clip) {
-    const bool is_multi_pie =
-        landmarks.points.size() == 68 && (landmarks.points[0].name == "0" || landmarks.points[0].name == "00");
-    if (is_multi_pie) landmarks = clip_points_of_multi_pie(landmarks);
+    if (landmarks.points.size() == 68 && landmarks.points[0].name == "00")
+      landmarks = clip_points_of_multi_pie(landmarks);
     check_sides(landmarks, title);
   }
   return result;

@@ -17,9 +17,9 @@ struct ReadLandmarksResult {
 enum class LandmarkNames { file, multi_pie, clip };
 
 struct ReadLandmarksOptions {
-  // file: as they stand there. multi_pie: MediaPipe's become Multi-PIE's 68, others stay. clip: MediaPipe's and
-  // Multi-PIE's become the 18 that a clip is tracked by (nodes/base/clip_points.h), others stay; right and left have to
-  // be where an upright face has them.
+  // file: as they stand there. multi_pie: MediaPipe's become Multi-PIE's 68, others stay; numbers have two digits.
+  // clip: MediaPipe's and Multi-PIE's become the 18 that a clip is tracked by (nodes/base/clip_points.h), others stay;
+  // right and left have to be where an upright face has them.
   LandmarkNames names = LandmarkNames::file;
   int frame = -1;  // of the clip, that the points have to be of where the file says one; -1: any
 };

@@ -146,6 +146,7 @@ TEST(ReadLandmarks, GivesMediaPipesPointsTheNamesThatAreAskedFor) {
   EXPECT_EQ(all.points[36].name, "36");
   EXPECT_NEAR(all.points[36].x_px, 33 - 0.5, 1e-9);  // outer corner of the right eye
   EXPECT_NEAR(all.points[8].x_px, 152 - 0.5, 1e-9);  // chin
+  EXPECT_EQ(all.points[8].name, "08");
   const test::Temporary other;
   // As sides are checked, the points lie as on a face: left is right of right.
   std::string text = mesh(468);
