@@ -13,6 +13,7 @@
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
 #include "nodes/track/shrink.h"
+#include "nodes/track/smooth_noise.h"
 #include "nodes/track/steps.h"
 
 namespace face::track {
@@ -155,14 +156,14 @@ void put_right(const Knowledge& known, const Landmarks& correction, const Grey& 
 
 TrackKltResult track(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
                      const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
-  const Image& frame = frames.centre();
+  const Image frame = smooth_noise(frames.centre(), start);
   const Grey now = grey_of(frame);
   Knowledge known(start, options);
   TrackKltResult result;
   if (prior) {
     result = *prior;
     known.learn_sides(result.patches);
-    const Grey before = grey_of(frames[frames.centre_index() - 1]);
+    const Grey before = grey_of(smooth_noise(frames[frames.centre_index() - 1], start));
     const FlowPair flow(before, now, known.side_px, static_cast<int>(options.levels));
     advance(known, flow, frame, before, now, result);
     for (Landmark& point : result.put_right.points) {
