@@ -15,6 +15,9 @@ namespace {
 constexpr double extreme_share = 0.45;
 // Of likeness: docs/morphable-model.md says what right and wrong places come to.
 constexpr double least_likeness = 0.3;
+// Noise and a picture that light and skin explain badly are believed up to `noisy` times the difference where there
+// certainly is a face.
+constexpr double sure_likeness = 0.4, noisy = 1.5;
 
 }  // namespace
 
@@ -80,6 +83,7 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
   fit.image_rms = trimmed_rms(rows.residual);
   fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
   const FitLandmarksOptions limits;
+  const double found = likeness({*joint.model, joint.basis, joint.identity, picture.state, picture.eyes_px}, small);
   if (rows.visible < 200)
     fit.problem = "less than 200 pixels of skin are seen: use a larger picture, or check the points";
   else if (turn_deg(picture.state.pose) > limits.max_turn_deg)
@@ -91,7 +95,7 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
   else if (rows.dark > extreme_share)
     fit.problem =
         message(std::lround(100 * rows.dark), " % of the face is all but black: use a picture with more light");
-  else if (fit.image_rms > joint.options.max_image_rms)
+  else if (fit.image_rms > joint.options.max_image_rms * (found >= sure_likeness ? noisy : 1))
     fit.problem =
         message("model and picture differ by ", std::lround(100 * fit.image_rms), " % of the scale, expected at most ",
                 std::lround(100 * joint.options.max_image_rms), " %: is there a face at the points?");
@@ -99,9 +103,7 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
     fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
                           " % of the eye distance off, expected at most ", 100 * limits.max_nme,
                           " %: check their names and places");
-  else if (const double found =
-               likeness({*joint.model, joint.basis, joint.identity, picture.state, picture.eyes_px}, small);
-           found < least_likeness)
+  else if (found < least_likeness)
     fit.problem = message("what is at the points does not look like a face (likeness ",
                           std::round(100 * found) / 100 + 0.0, ", expected at least ", least_likeness,
                           "): use points of this picture, on a face that is upright and not hidden");

@@ -21,6 +21,7 @@ NODE("model.track_video", &track_video, version{1},
      param("max_image_rms", &TrackVideoOptions::max_image_rms, range{0.001, 1}, unit{"1"},
            "Difference of frame and model above which a frame is not believed"),
      param("min_likeness", &TrackVideoOptions::min_likeness, range{-1, 1}, unit{"1"},
-           "Correlation of frame and face below which a frame is not believed"),
+           "Correlation of frame and face below which a frame is not believed",
+           inert{"where the frame differs too much in brightness already"}),
      param("seed", &TrackVideoOptions::seed, range{0, 1000000000}, unit{"1"}, "Of the random pixels"),
      output("fit", &TrackVideoResult::fit, "The fit of each frame"));
