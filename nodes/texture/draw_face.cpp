@@ -25,7 +25,7 @@ constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 2, chin_fa
 
 constexpr double revealed_mm = 5;           // width of a place where the face is no more, from which it is uncovered
 constexpr double revealed_margin_mm = 1.5;  // by which it is widened: a fit is never exact
-constexpr double over_skin = 1.2;           // of teeth over skin, sRGB values
+constexpr double over_skin = 0.95;          // of teeth over skin, sRGB values: two GRID speakers' come to 0.85 to 1.0
 constexpr double full_albedo = 0.75;        // of what looks like that in full light: teeth
 
 float smooth_step(float low, float high, float x) {
@@ -60,9 +60,9 @@ Vec3f texel(const AlbedoMap& map, float x, float y) {
   return sum;
 }
 
-// What something white in the mouth looks like in the picture: as bright as the skin is there on average and a little
-// more, half its colour. Not by way of the light: a fit cannot tell a lighter skin from a stronger light, and teeth
-// have no colour of their own in the picture to go by.
+// What something white in the mouth looks like in the picture: about as bright as the skin is there on average, half
+// its colour. Not by way of the light: a fit cannot tell a lighter skin from a stronger light, and teeth have no colour
+// of their own in the picture to go by.
 std::array<double, 3> white_shown(const AlbedoMap& map, const model::SkinAtlas& atlas, const FaceLight& light) {
   std::array<double, 3> skin = {0, 0, 0};
   double count = 0;
