@@ -23,7 +23,7 @@ struct StabiliseOptions {
 // scale as well, one gives the place alone; without any, all points of the frame are not valid, where they were.
 //
 // Where a blink or a look down hides corners of the eyes, they are taken to go with the points that are seen all the
-// while, evenly from where they were before to where they are after (up to 12 frames away; one side is enough): in so
+// while, evenly from where they were before to where they are after (up to 30 frames away; one side is enough): in so
 // short a time a head hardly turns, but one point says nothing of how it is turned. Of the corners in these frames none
 // is believed: lids carry them along for a while.
 // rest: the points that the face is laid upon; all rigid points are there.

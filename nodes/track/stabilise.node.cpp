@@ -5,9 +5,9 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.stabilise", &stabilise, version{3},
+NODE("track.stabilise", &stabilise, version{4},
      doc{"Takes the head's motion out of tracked points, by those that the jaw does not move."},
-     input{"landmarks", "The points of each frame and its neighbours", window{15, 15}},
+     input{"landmarks", "The points of each frame and its neighbours", window{33, 33}},
      input{"rest", "The points that the face is laid upon: those of the first frame"},
      input{"depths_px",
            "How far each of them is towards the viewer (meshik.landmark_depths): turns and nods come out as well"},
