@@ -14,7 +14,7 @@ namespace face::model {
 
 struct ScanMeshOptions {
   std::int64_t stride_px = 2;
-  double longest_edge_mm = 8;
+  double longest_edge_mm = 16;  // as far as a nose hangs over its lip
 };
 
 // The mesh of a reference scan: the vertices and triangles of scan_grid, which sample_scan samples; colours are the

@@ -4,7 +4,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.scan_mesh", &scan_mesh, version{2}, doc{"The mesh of a reference scan."},
+NODE("model.scan_mesh", &scan_mesh, version{3}, doc{"The mesh of a reference scan."},
      input{"reference", "The reference scan, cropped"},
      param("stride_px", &ScanMeshOptions::stride_px, range{1, 100}, unit{"px"}, "Distance of the vertices"),
      param("longest_edge_mm", &ScanMeshOptions::longest_edge_mm, range{0.1, 1000.0}, unit{"mm"},

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "nodes/model/sample_scan.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace face::model {
@@ -55,6 +56,15 @@ TEST(ScanGrid, HasARoundEdgeWhereTheScanIsRound) {
   EXPECT_GT(edge.size(), 100u);
   EXPECT_LT(squares, 0.15 * stairs);
   EXPECT_NEAR(mean, radius_px, 1.6);  // vertices are every second pixel
+}
+
+// Between the tip of a nose and the lip below it lie 12 mm of depth on neighbouring pixels of a small picture.
+TEST(ScanGrid, HasNoSlitUnderANose) {
+  DepthScan scan = wall([](int, int) { return true; });
+  for (int y = 30; y < 40; ++y)
+    for (int x = 30; x < 50; ++x) scan.depth_mm[static_cast<std::size_t>(side * y + x)] = 488;
+  const ScanGrid grid = scan_grid(scan, 2, ScanMeshOptions().longest_edge_mm);
+  for (const Vec2f& p : outline(grid)) EXPECT_FALSE(std::max(std::fabs(p[0] - 40), std::fabs(p[1] - 40)) < 30);
 }
 
 TEST(ScanGrid, KeepsInnerVerticesOnTheirPixelsAndAllOnMeasuredOnes) {
