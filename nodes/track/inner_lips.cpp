@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/track/inner_lips.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nodes/base/check_image.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/lip_line.h"
 
 namespace face::track {
@@ -60,7 +65,13 @@ struct Gap {
   double from = 0, to = 0;  // along the line, 0 to 1
 };
 
-Gap find_gap(std::vector<Colour> colours, double unlike) {
+// The lips' thickness at rest as shares of a line.
+struct Thickness {
+  double upper = 0, lower = 0;
+};
+
+// How far every sample of a line is from the lips, beyond `unlike`; much less than 0 at its ends.
+std::vector<double> excess_along(std::vector<Colour>& colours, double unlike) {
   scale_luma(colours);
   const LipLook upper = look_of(colours, band_from, band_to), lower = look_of(colours, 1 - band_to, 1 - band_from);
   std::vector<double> excess;
@@ -70,6 +81,33 @@ Gap find_gap(std::vector<Colour> colours, double unlike) {
     const double v = (i + 0.5) / samples;
     excess.push_back(v < edge || v > 1 - edge ? -most_unlike : std::max(value, -most_like));
   }
+  return excess;
+}
+
+// The most likely gap where the lips' thickness at rest is known: teeth and hollow are unlike the lips, tongue and gums
+// are not, but a lip is about as thick as at rest.
+Gap likely_gap(std::vector<Colour> colours, const Thickness& rest, const InnerLipsOptions& options) {
+  const std::vector<double> excess = excess_along(colours, options.unlike);
+  std::vector<double> sum = {0};
+  for (const double e : excess) sum.push_back(sum.back() + e * options.evidence / samples);
+  const auto cost = [&](double thickness, double at_rest) {
+    const double off = (thickness - at_rest) / (options.thickness_deviation * at_rest);
+    return off * off / 2;
+  };
+  Gap gap;
+  double best = std::numeric_limits<double>::lowest();
+  for (int from = 1; from < samples; ++from)
+    for (int to = from; to < samples; ++to) {
+      const double u = from / double(samples), l = 1 - to / double(samples);
+      const double score = sum[static_cast<std::size_t>(to)] - sum[static_cast<std::size_t>(from)] -
+                           cost(u, rest.upper) - cost(l, rest.lower);
+      if (score > best) best = score, gap = {u, 1 - l};
+    }
+  return gap;
+}
+
+Gap find_gap(std::vector<Colour> colours, double unlike) {
+  const std::vector<double> excess = excess_along(colours, unlike);
   double best = 0, sum = 0;
   int begin = 0, best_begin = -1, best_end = -1;
   for (int i = 0; i < samples; ++i) {
@@ -94,9 +132,41 @@ Gap find_gap(std::vector<Colour> colours, double unlike) {
   return {crossing(best_begin, best_begin - 1), crossing(best_end, best_end + 1)};
 }
 
+double distance(const Landmark& a, const Landmark& b) { return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px); }
+
+// How much larger the head is in a picture than in that of the mouth at rest, by points that do not move; 1 without.
+double scale_of(const Landmarks& landmarks, const Landmarks& rest) {
+  double here = 0, there = 0;
+  for (const auto& [one, other] :
+       {std::pair{"eye_inner_r", "eye_inner_l"}, {"eye_inner_r", "nose_tip"}, {"eye_inner_l", "nose_tip"}}) {
+    const Landmark *const a = find_landmark(landmarks, one), *const b = find_landmark(landmarks, other),
+                          *const c = find_landmark(rest, one), *const d = find_landmark(rest, other);
+    if (!a || !b || !c || !d || !a->valid || !b->valid) continue;
+    here += distance(*a, *b);
+    there += distance(*c, *d);
+  }
+  return here > 0 && there > 0 ? here / there : 1;
+}
+
+// Of the line of inner_lip_1, _2 or _3; none where the mouth at rest does not say.
+std::optional<Thickness> thickness_at_rest(const Landmarks& rest, const Landmarks& landmarks, const LipLine& line,
+                                           std::size_t number) {
+  const Landmark *const upper = find_landmark(rest, line.upper->name),
+                        *const lower = find_landmark(rest, line.lower->name),
+                        *const above = find_landmark(rest, "inner_lip_" + std::to_string(number)),
+                        *const below = find_landmark(rest, "inner_lip_" + std::to_string(8 - number));
+  const double length = distance(*line.upper, *line.lower);
+  if (!upper || !lower || !above || !below || length <= 0) return std::nullopt;
+  const double share = scale_of(landmarks, rest) / length;
+  const Thickness result{share * distance(*upper, *above), share * distance(*below, *lower)};
+  if (result.upper <= 0 || result.lower <= 0) return std::nullopt;
+  return result;
+}
+
 }  // namespace
 
-Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const InnerLipsOptions& options) {
+Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest,
+                     const InnerLipsOptions& options) {
   check_image(image, "the image");
   for (const Landmark& point : landmarks.points)
     check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
@@ -108,7 +178,9 @@ Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Inner
   std::vector<Landmark> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LipLine& line = lines[i];
-    const Gap gap = find_gap(colours_along(colours, line, width), options.unlike);
+    const std::optional<Thickness> at_rest = rest ? thickness_at_rest(*rest, landmarks, line, i + 1) : std::nullopt;
+    const std::vector<Colour> seen = colours_along(colours, line, width);
+    const Gap gap = at_rest ? likely_gap(seen, *at_rest, options) : find_gap(seen, options.unlike);
     const auto at = [&](double v, std::size_t number) {
       return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
                       (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};

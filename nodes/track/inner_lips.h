@@ -7,6 +7,10 @@ namespace face::track {
 
 struct InnerLipsOptions {
   double unlike = 2.5;  // deviations from the colours of the lips from which on it is no lip
+  // With a mouth at rest: how much the thickness of a lip varies, as a share of that at rest, and what a picture says
+  // against it: of a line that is unlike the lips by one deviation more than `unlike` all along.
+  double thickness_deviation = 0.2;
+  double evidence = 20;
 };
 
 // Where the lips part: the outer edge of a mouth says little of whether it is open. Of each of three lines across the
@@ -17,6 +21,11 @@ struct InnerLipsOptions {
 // wide as the picture is blurred: compare with what is found on the shut mouth. The result has the points of
 // `landmarks` and after them inner_lip_1 to inner_lip_3 (upper) and inner_lip_7, _6, _5 below them; not valid where an
 // outer point of their line is not. Throws where one of the six outer points is missing, or an inner one is there.
-Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const InnerLipsOptions& options = {});
+// rest: these points of the shut mouth, of a head at any scale (find_rest.h); null where nobody knows. With it the gap
+// is the most likely one: the tongue, gums and teeth in the shade are no less like a lip than a lip is, but lips are
+// about as thick as at rest, each by itself (a normal distribution), and what the picture shows is weighed against
+// that.
+Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest = nullptr,
+                     const InnerLipsOptions& options = {});
 
 }  // namespace face::track

@@ -46,6 +46,49 @@ TEST(InnerLips, ShutLipsHaveNoGap) {
   for (int column = 1; column <= 3; ++column) EXPECT_NEAR(gap_px(found, column), 0, 0.5) << column;
 }
 
+// A mouth's points with three that do not move with it.
+Landmarks with_head(Landmarks mouth) {
+  mouth.points.insert(mouth.points.begin(),
+                      {{"eye_inner_r", 45, -40, true}, {"eye_inner_l", 75, -40, true}, {"nose_tip", 60, 5, true}});
+  return mouth;
+}
+
+// Its lips, 16 px thick each, meet in a dark seam.
+const Mouth resting{1, 1};
+Landmarks shut_mouth() { return track::inner_lips(resting.image(), with_head(resting.outer())); }
+
+TEST(InnerLips, ATongueLikeALipIsToldByHowThickTheLipsAreAtRest) {
+  const Mouth mouth{8, 8, test::lower_lip};
+  const Landmarks rest = shut_mouth(), outer = with_head(mouth.outer());
+  EXPECT_LT(gap_px(track::inner_lips(mouth.image(), outer), 2), 3);
+  EXPECT_NEAR(gap_px(track::inner_lips(mouth.image(), outer, &rest), 2), 16, 5)
+      << "that it is like a lip counts a little";
+}
+
+TEST(InnerLips, WhatIsSeenCountsMoreThanTheThicknessAtRest) {
+  const Mouth mouth{6, 9, test::tooth};  // the upper lip is 19 px thick, the lower 16
+  const Landmarks rest = shut_mouth();
+  const Landmarks found = track::inner_lips(mouth.image(), with_head(mouth.outer()), &rest);
+  EXPECT_NEAR(gap_px(found, 2), 15, 1.5);
+  EXPECT_NEAR(test::point_of(found, "inner_lip_2").y_px, 34, 1.5);
+}
+
+TEST(InnerLips, LipsThatAreThickAsAtRestAreShutAtAnyScale) {
+  Landmarks rest = shut_mouth();
+  EXPECT_NEAR(gap_px(rest, 2), 1.5, 1);
+  for (Landmark& p : rest.points) p.x_px = 300 + p.x_px / 2, p.y_px = 200 + p.y_px / 2;
+  const Mouth open{8, 8, test::lower_lip};
+  EXPECT_NEAR(gap_px(track::inner_lips(resting.image(), with_head(resting.outer()), &rest), 2), 1.5, 1);
+  EXPECT_NEAR(gap_px(track::inner_lips(open.image(), with_head(open.outer()), &rest), 2), 16, 5);
+}
+
+TEST(InnerLips, ARestThatDoesNotSayHowThickTheLipsAreIsNone) {
+  const Mouth mouth{5, 9};
+  const Landmarks outer = mouth.outer();
+  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &outer), 2),
+            gap_px(track::inner_lips(mouth.image(), outer), 2));
+}
+
 TEST(InnerLips, LightThatIsHalfAsBrightChangesLittle) {
   const Mouth mouth{5, 9};
   Image dim = mouth.image();
