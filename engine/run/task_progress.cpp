@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "engine/run/session.h"
+#include "engine/run/values.h"
 
 namespace engine::run {
 namespace fs = std::filesystem;
@@ -66,7 +67,7 @@ void TaskProgress::warn(const std::string& text) {
 
 std::string TaskProgress::scratch_folder() {
   if (scratch_.empty()) {
-    scratch_ = session_.store_.folder() + "/scratch/" + task_->key.hex() + "-" + std::to_string(::getpid());
+    scratch_ = scratch_root(session_.store_) + "/" + task_->key.hex() + "-" + std::to_string(::getpid());
     fs::create_directories(scratch_);
   }
   return scratch_;

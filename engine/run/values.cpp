@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/values.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <thread>
 
 #include "engine/base/problem.h"
 
@@ -18,6 +22,17 @@ enum class FileKind : std::uint8_t { file, folder };
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
+}
+
+// The store moves what it adopts: of a file that is not a task's own, such as one that it was given, it gets a copy.
+std::string own_copy(const std::string& path, const Store& store) {
+  const std::string root = scratch_root(store);
+  if (path.starts_with(root + "/")) return path;
+  fs::create_directories(root);
+  const std::string copy = root + "/" + std::to_string(::getpid()) + "-" +
+                           std::to_string(std::hash<std::thread::id>()(std::this_thread::get_id()));
+  fs::copy_file(path, copy, fs::copy_options::overwrite_existing);
+  return copy;
 }
 
 Bytes file_bytes(const std::string& suffix, const Digest& content) {
@@ -69,6 +84,8 @@ SourceFile open_source(const std::string& path, Store& store) {
   return source;
 }
 
+std::string scratch_root(const Store& store) { return store.folder() + "/scratch"; }
+
 Bytes encode_value(const Value& value, Store& store) {
   if (value.type().name != "file") {
     Bytes bytes;
@@ -92,7 +109,7 @@ Bytes encode_value(const Value& value, Store& store) {
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
     hasher.write(std::string_view(buffer.data(), static_cast<std::size_t>(in.gcount())));
   const Digest digest = hasher.finish();
-  store.adopt_file(digest, lower(suffix), file.path());
+  store.adopt_file(digest, lower(suffix), own_copy(file.path(), store));
   return file_bytes(suffix, digest);
 }
 

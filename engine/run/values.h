@@ -19,7 +19,11 @@ struct SourceFile {
 // Throws EngineError where it cannot be read, and for symbolic links in a folder.
 SourceFile open_source(const std::string& path, Store& store);
 
-// The canonical bytes of a value. The content of a File goes to the store at once; its bytes name it.
+// Where tasks write files of their own; the store may move them.
+std::string scratch_root(const Store& store);
+
+// The canonical bytes of a value. The content of a File goes to the store at once; its bytes name it. A file outside
+// scratch_root stays where it is.
 Bytes encode_value(const Value& value, Store& store);
 // What identifies a File that a node made. known = false where the store has lost it.
 struct StoredFile {
