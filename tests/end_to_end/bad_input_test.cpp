@@ -194,7 +194,8 @@ TEST_F(BadInput, WhatIsNoRigIsToldFromARig) {
 
 TEST_F(BadInput, LandmarkOutsideTheImageIsNamed) {
   write("points.json", R"({"image_size": [360, 288], "points": {"nose": [150, 90], "chin": [400, 20]}})");
-  const Ended ended = command({"run", graph("video_to_mesh/track.json"), "--set", "video=good.wav", "--set",
+  write("frame.ppm", "P6 360 288 255\n" + std::string(360 * 288 * 3, 'x'));
+  const Ended ended = command({"run", graph("video_to_mesh/track.json"), "--set", "video=frame.ppm", "--set",
                                "points=points.json", "--to", "start"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.failures(),

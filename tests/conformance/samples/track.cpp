@@ -116,7 +116,7 @@ const Registered track({
             {"track.chain_flow.from_first", another("flow_field", 2)},
             {"track.inner_lips.image", clip},
             {"track.inner_lips.landmarks", first_points},
-            {"track.inner_lips.rest", made_by("track.inner_lips", "landmarks")},
+            {"track.inner_lips.rest", parting_lips},
             {"track.mouth_opening.image", clip},
             {"track.mouth_opening.landmarks", scattered(first_points, 2)},
             {"track.find_contact.openings", openings},
