@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -20,6 +21,13 @@ inline std::size_t landmark_index(const Landmarks& landmarks, std::string_view n
 inline const Landmark* find_landmark(const Landmarks& landmarks, std::string_view name) {
   const std::size_t index = landmark_index(landmarks, name);
   return index < landmarks.points.size() ? &landmarks.points[index] : nullptr;
+}
+
+inline double distance_px(const Landmark& a, const Landmark& b) { return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px); }
+
+// A coordinate in the same picture at another size. Pixel 0 is the first one's centre in both.
+inline double scaled_px(double at_px, int from_size_px, int to_size_px) {
+  return (at_px + 0.5) * to_size_px / from_size_px - 0.5;
 }
 
 // "lip_0, lip_6": for errors.

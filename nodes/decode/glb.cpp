@@ -39,8 +39,6 @@ void append_uint(std::string& out, std::uint32_t value) {
   out.append(bytes, 4);
 }
 
-void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
-
 std::uint32_t uint_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
   std::memcpy(&value, bytes.data() + at, sizeof value);
@@ -87,7 +85,7 @@ std::optional<std::string> content_of(const std::string& uri, const engine::File
 }
 
 std::size_t put_behind(const std::string& content, std::string& binary) {
-  pad(binary, '\0');
+  pad(binary);
   const std::size_t place = binary.size();
   binary += content;
   return place;
@@ -141,6 +139,8 @@ bool take_in(const engine::File& given, json& document, std::string& binary) {
 
 }  // namespace
 
+void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+
 bool read_glb(const engine::File& given, json& document, std::string& binary) {
   const std::optional<engine::File> file = find_gltf(given);
   if (!file) return false;
@@ -164,7 +164,7 @@ bool read_glb(const engine::File& given, json& document, std::string& binary) {
 }
 
 std::string glb_bytes(json document, std::string binary) {
-  pad(binary, '\0');
+  pad(binary);
   document["buffers"][0] = {{"byteLength", binary.size()}};
   std::string text = document.dump();
   pad(text, ' ');

@@ -13,6 +13,9 @@ namespace face::decode {
 // Throws, naming the file, where it is damaged.
 bool read_glb(const engine::File& given, nlohmann::json& document, std::string& binary);
 
+// Fills bytes up to a multiple of 4, as glTF wants its chunks and views.
+void pad(std::string& bytes, char filler = '\0');
+
 // A .glb of a JSON document and its binary chunk, which is the document's first buffer: that is set here.
 std::string glb_bytes(nlohmann::json document, std::string binary);
 

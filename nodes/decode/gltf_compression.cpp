@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/decode/glb.h"
 
 namespace face::decode {
 namespace {
@@ -45,7 +46,7 @@ std::string_view bytes_at(const json& place, const std::string& binary, const st
 
 // Puts bytes behind the binary chunk; the view is where they lie now.
 void place_view(json& view, std::string_view bytes, std::string& binary) {
-  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  pad(binary);
   view["buffer"] = 0;
   view["byteOffset"] = binary.size();
   view["byteLength"] = bytes.size();

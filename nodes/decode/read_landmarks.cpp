@@ -66,14 +66,13 @@ ReadLandmarksResult read_ours(const Json& json, const Image* image, const std::s
   return result;
 }
 
-// Brings points of the file's picture to the size of the one at hand. Pixels' centres are whole numbers.
+// Brings points of the file's picture to the size of the one at hand.
 void scale_to(const Image& image, ReadLandmarksResult& result) {
-  const double across = image.width / static_cast<double>(std::max<std::int64_t>(result.image_width_px, 1)),
-               down = image.height / static_cast<double>(std::max<std::int64_t>(result.image_height_px, 1));
-  if (across == 1 && down == 1) return;
+  const auto width = static_cast<int>(result.image_width_px), height = static_cast<int>(result.image_height_px);
+  if (width == image.width && height == image.height) return;
   for (Landmark& point : result.landmarks.points) {
-    point.x_px = (point.x_px + 0.5) * across - 0.5;
-    point.y_px = (point.y_px + 0.5) * down - 0.5;
+    point.x_px = scaled_px(point.x_px, width, image.width);
+    point.y_px = scaled_px(point.y_px, height, image.height);
   }
   result.image_width_px = image.width;
   result.image_height_px = image.height;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/find_landmark.h"
 #include "nodes/evaluate/animations.h"
 #include "nodes/evaluate/statistics.h"
 
@@ -24,8 +25,6 @@ std::map<std::string, const Landmark*> by_name(const Landmarks& landmarks, const
   }
   return points;
 }
-
-double between(const Landmark& a, const Landmark& b) { return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px); }
 
 }  // namespace
 
@@ -48,16 +47,16 @@ LandmarksResult landmarks(const engine::Seq<Landmarks>& track, const engine::Seq
       if (p == points.end() || !p->second->valid)
         ++frame_lost;
       else
-        frame_px.push_back(between(*p->second, q));
+        frame_px.push_back(distance_px(*p->second, q));
     }
     const auto left = true_points.find(options.left_corner), right = true_points.find(options.right_corner);
     const bool has_eyes = left != true_points.end() && right != true_points.end() && left->second->valid &&
-                          right->second->valid && between(*left->second, *right->second) > 0;
+                          right->second->valid && distance_px(*left->second, *right->second) > 0;
     double nme = nothing;
     if (has_eyes) {
       ++judged_frames;
       if (!frame_px.empty()) {
-        nme = 100 * mean_of(frame_px) / between(*left->second, *right->second);
+        nme = 100 * mean_of(frame_px) / distance_px(*left->second, *right->second);
         nmes.push_back(nme);
         area += std::max(0.0, 1 - nme / options.failed_percent);
       }

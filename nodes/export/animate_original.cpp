@@ -76,7 +76,7 @@ json without_channels(const json& animations, const std::vector<WeightChannel>& 
 void append(GltfBuffer buffer, json& animation, Glb& glb) {
   json& document = glb.document;
   const std::size_t views = document["bufferViews"].size(), accessors = document["accessors"].size();
-  while (glb.binary.size() % 4 != 0) glb.binary += '\0';
+  decode::pad(glb.binary);
   for (json& view : buffer.views) {
     view["byteOffset"] = view.value("byteOffset", std::size_t{0}) + glb.binary.size();
     document["bufferViews"].push_back(std::move(view));

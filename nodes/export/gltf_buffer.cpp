@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "nodes/decode/glb.h"
+
 namespace face::exports {
 namespace {
 
 // Constants of the glTF 2.0 specification, section 3.6.2.2.
 constexpr int float_component = 5126;
 constexpr int uint_component = 5125;
-
-void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
 
 void set_bounds(nlohmann::json& accessor, const Vec3f& low, const Vec3f& high) {
   accessor["min"] = low;
@@ -35,7 +35,7 @@ std::pair<Vec3f, Vec3f> bounds_of(const std::vector<Vec3f>& values, bool and_zer
 }  // namespace
 
 int GltfBuffer::add_view(const void* data, std::size_t size, Target target) {
-  pad(bytes, '\0');
+  decode::pad(bytes);
   nlohmann::json view = {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", size}};
   if (target != Target::none) view["target"] = static_cast<int>(target);
   bytes.append(static_cast<const char*>(data), size);

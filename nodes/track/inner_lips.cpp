@@ -132,8 +132,6 @@ Gap find_gap(std::vector<Colour> colours, double unlike) {
   return {crossing(best_begin, best_begin - 1), crossing(best_end, best_end + 1)};
 }
 
-double distance(const Landmark& a, const Landmark& b) { return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px); }
-
 // How much larger the head is in a picture than in that of the mouth at rest, by points that do not move; 1 without.
 double scale_of(const Landmarks& landmarks, const Landmarks& rest) {
   double here = 0, there = 0;
@@ -142,8 +140,8 @@ double scale_of(const Landmarks& landmarks, const Landmarks& rest) {
     const Landmark *const a = find_landmark(landmarks, one), *const b = find_landmark(landmarks, other),
                           *const c = find_landmark(rest, one), *const d = find_landmark(rest, other);
     if (!a || !b || !c || !d || !a->valid || !b->valid) continue;
-    here += distance(*a, *b);
-    there += distance(*c, *d);
+    here += distance_px(*a, *b);
+    there += distance_px(*c, *d);
   }
   return here > 0 && there > 0 ? here / there : 1;
 }
@@ -155,10 +153,10 @@ std::optional<Thickness> thickness_at_rest(const Landmarks& rest, const Landmark
                         *const lower = find_landmark(rest, line.lower->name),
                         *const above = find_landmark(rest, "inner_lip_" + std::to_string(number)),
                         *const below = find_landmark(rest, "inner_lip_" + std::to_string(8 - number));
-  const double length = distance(*line.upper, *line.lower);
+  const double length = distance_px(*line.upper, *line.lower);
   if (!upper || !lower || !above || !below || length <= 0) return std::nullopt;
   const double share = scale_of(landmarks, rest) / length;
-  const Thickness result{share * distance(*upper, *above), share * distance(*below, *lower)};
+  const Thickness result{share * distance_px(*upper, *above), share * distance_px(*below, *lower)};
   if (result.upper <= 0 || result.lower <= 0) return std::nullopt;
   return result;
 }

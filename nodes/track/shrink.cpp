@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "nodes/base/find_landmark.h"
 #include "nodes/track/face_colours.h"
 #include "nodes/track/patch.h"
 
@@ -39,16 +40,16 @@ Image Shrink::full(const Image& small) const { return resized(small, full_width_
 
 Landmarks Shrink::to_small(Landmarks points) const {
   for (Landmark& point : points.points) {
-    point.x_px = (point.x_px + 0.5) * width_ / full_width_ - 0.5;
-    point.y_px = (point.y_px + 0.5) * height_ / full_height_ - 0.5;
+    point.x_px = scaled_px(point.x_px, full_width_, width_);
+    point.y_px = scaled_px(point.y_px, full_height_, height_);
   }
   return points;
 }
 
 Landmarks Shrink::to_full(Landmarks points) const {
   for (Landmark& point : points.points) {
-    point.x_px = (point.x_px + 0.5) * full_width_ / width_ - 0.5;
-    point.y_px = (point.y_px + 0.5) * full_height_ / height_ - 0.5;
+    point.x_px = scaled_px(point.x_px, width_, full_width_);
+    point.y_px = scaled_px(point.y_px, height_, full_height_);
   }
   return points;
 }

@@ -7,7 +7,7 @@ namespace face::transfer {
 
 struct LineMouthOptions {
   double brightness = 0.08;
-  double rim_mm = 0;
+  double rim_mm = 1.5;
 };
 
 // Spans the opening between a speaking model's lips with a dark surface, the part "mouth": what is behind the lips was

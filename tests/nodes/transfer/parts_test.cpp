@@ -404,7 +404,7 @@ TEST(MarkLips, PairsTheEdgesAndMarksTheLips) {
 
 TEST(LineMouth, SpansTheOpeningFromLipToLip) {
   const Mesh open = sheet(4);
-  const Rig lined = line_mouth(rig_of(open), open);
+  const Rig lined = line_mouth(rig_of(open), open, {.rim_mm = 0});
   EXPECT_EQ(lined.neutral.points_mm, open.points_mm);
   ASSERT_EQ(lined.neutral.parts.size(), open.parts.size() + 1);
   const Part& mouth = lined.neutral.parts.back();
@@ -454,7 +454,7 @@ TEST(LineMouth, LetsShutLipsMeet) {
     }
     return area_mm2;
   };
-  const Rig without = line_mouth(rig, open), lined = line_mouth(rig, open, {.rim_mm = 1.5}),
+  const Rig without = line_mouth(rig, open, {.rim_mm = 0}), lined = line_mouth(rig, open),
             short_rims = line_mouth(rig, open, {.rim_mm = 0.5});
   EXPECT_GT(area_of(without, "mouth", 0), 30);
   EXPECT_LT(area_of(lined, "mouth", 0), 2);  // the sheet's opening is 2 mm high in its corners: a triangle in each
