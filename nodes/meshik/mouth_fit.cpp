@@ -42,15 +42,16 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-// What the weights of the shapes with rows are expected to be: the inverse of their covariance about 0, in the order of
-// `used`. Without visemes every weight is expected alike.
-MatrixXd expectation(const Rig& rig, const std::vector<std::vector<double>>& rows, const std::vector<std::size_t>& used,
-                     const Visemes* visemes, const MouthPrior& options) {
+// What the weights of the shapes with rows are expected to be while each viseme is spoken: inverses of their
+// covariances about 0, in the order of `used`. Without visemes one, in which every weight is expected alike.
+std::vector<MatrixXd> expectations(const Rig& rig, const std::vector<std::vector<double>>& rows,
+                                   const std::vector<std::size_t>& used, const Visemes* visemes,
+                                   const MouthPrior& options) {
   const auto count = static_cast<Eigen::Index>(used.size());
   if (visemes == nullptr) {
     double mean = 0;
     for (const std::size_t s : used) mean += dot(rows[s], rows[s]) / static_cast<double>(used.size());
-    return MatrixXd::Identity(count, count) * (options.restraint * mean);
+    return {MatrixXd::Identity(count, count) * (options.restraint * mean)};
   }
   constexpr double unknown = 0.2;  // deviation of a shape that the table cannot know
   std::vector<std::size_t> arkit;
@@ -58,8 +59,8 @@ MatrixXd expectation(const Rig& rig, const std::vector<std::vector<double>>& row
     arkit.push_back(static_cast<std::size_t>(std::find(arkit_names.begin(), arkit_names.end(), rig.shapes[s].name) -
                                              arkit_names.begin()));
   std::vector<VectorXd> poses;
-  // Lips that must meet do so whatever the jaw does: ARKit's mouthClose shuts what jawOpen at the same weight opens.
-  const auto close = std::find(arkit.begin(), arkit.end(), arkit_index("mouthClose"));
+  // Lips that must meet do so whatever the jaw does: ARKit's mouthClose shuts what jawOpen at the same weight opens. A
+  // lower lip that must touch the teeth rolls in.
   const auto add = [&](const Viseme& viseme, const std::vector<float>& weights) {
     check(weights.size() == arkit_names.size(), "viseme ", viseme.label, " has ", weights.size(), " weights, expected ",
           arkit_names.size());
@@ -67,23 +68,55 @@ MatrixXd expectation(const Rig& rig, const std::vector<std::vector<double>>& row
     for (Eigen::Index i = 0; i < count; ++i) {
       const std::size_t k = arkit[static_cast<std::size_t>(i)];
       if (k < weights.size()) pose[i] = static_cast<double>(weights[k]);
+      if (viseme.contact == "lips" && k == arkit_index("mouthClose"))
+        pose[i] = static_cast<double>(weights[arkit_index("jawOpen")]);
+      if (viseme.contact == "teeth" && k == arkit_index("mouthRollLower")) pose[i] = 1;
     }
-    if (viseme.contact == "lips" && close != arkit.end())
-      pose[close - arkit.begin()] = static_cast<double>(weights[arkit_index("jawOpen")]);
     poses.push_back(pose);
   };
   for (const Viseme& viseme : visemes->visemes) {
     add(viseme, viseme.weights);
     if (!viseme.glide_weights.empty()) add(viseme, viseme.glide_weights);
   }
-  MatrixXd covariance = MatrixXd::Zero(count, count);
-  for (const VectorXd& pose : poses)
-    covariance += options.variety * options.variety / static_cast<double>(poses.size()) * pose * pose.transpose();
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const bool known = arkit[static_cast<std::size_t>(i)] < arkit_names.size();
-    covariance(i, i) += std::pow(known ? options.own_deviation : unknown, 2);
+  // What all have in common, as if one Gaussian described speech, lets a mouth be on its way between two of them.
+  const double scale = options.variety * options.variety;
+  MatrixXd common = MatrixXd::Zero(count, count);
+  for (const VectorXd& pose : poses) common += scale / static_cast<double>(poses.size()) * pose * pose.transpose();
+  if (poses.empty() || options.common_share >= 1) poses.assign(1, VectorXd::Zero(count));
+  std::vector<MatrixXd> found;
+  for (const VectorXd& pose : poses) {
+    MatrixXd covariance = options.common_share * common + (1 - options.common_share) * scale * pose * pose.transpose();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const bool known = arkit[static_cast<std::size_t>(i)] < arkit_names.size();
+      covariance(i, i) += std::pow(known ? options.own_deviation : unknown, 2);
+    }
+    found.emplace_back(options.landmark_error_mm * options.landmark_error_mm * covariance.inverse());
   }
-  return options.landmark_error_mm * options.landmark_error_mm * covariance.inverse();
+  return found;
+}
+
+// The least of x'Hx / 2 - slope'x with every x from its `low` to 1, coordinate by coordinate.
+VectorXd least_in_box(const MatrixXd& hessian, VectorXd slope, const std::vector<double>& low) {
+  const Eigen::Index count = slope.size();
+  VectorXd weights = VectorXd::Zero(count);
+  constexpr int most_sweeps = 20000;
+  double largest = 1;
+  for (int sweep = 0; sweep < most_sweeps && largest > 1e-9; ++sweep) {
+    largest = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double next = std::clamp(weights[i] + slope[i] / hessian(i, i), low[static_cast<std::size_t>(i)], 1.0);
+      const double step = next - weights[i];
+      if (step == 0) continue;
+      weights[i] = next;
+      slope -= step * hessian.col(i);
+      largest = std::max(largest, std::abs(step));
+    }
+  }
+  return weights;
+}
+
+double log_determinant(const Eigen::LLT<MatrixXd>& factor) {
+  return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
 }  // namespace
@@ -97,8 +130,20 @@ MouthFit::MouthFit(const Rig& rig, const std::vector<LandmarkVertex>& places, co
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (!rows_[i].empty()) used_.push_back(i);
   check(!used_.empty(), "no jaw or mouth shape of the rig moves a landmark");
-  const MatrixXd expected = expectation(rig, rows_, used_, visemes, prior);
-  expected_.assign(expected.data(), expected.data() + expected.size());
+  for (std::size_t upper = 61; upper <= 63; ++upper) {
+    const auto find = [&](std::size_t number) {
+      const auto at = std::find_if(places.begin(), places.end(), [&](const LandmarkVertex& place) {
+        return place.vertex == rig.landmarks68[number];
+      });
+      return static_cast<std::size_t>(at - places.begin());
+    };
+    const std::size_t above = find(upper), below = find(128 - upper);
+    if (above < places.size() && below < places.size()) gaps_.emplace_back(above, below);
+  }
+  gap_weight_ = std::pow(prior.landmark_error_mm / prior.gap_error_mm, 2);
+  error_mm_ = visemes ? prior.landmark_error_mm : 1;
+  for (const MatrixXd& expected : expectations(rig, rows_, used_, visemes, prior))
+    expected_.emplace_back(expected.data(), expected.data() + expected.size());
 }
 
 std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::vector<double>& least,
@@ -110,22 +155,39 @@ std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::ve
   MatrixXd counted = basis;
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (!seen[k]) counted.middleRows(static_cast<Eigen::Index>(2 * k), 2).setZero();
-  Eigen::Map<VectorXd> left(wanted.data(), numbers);
-  const MatrixXd hessian = Eigen::Map<const MatrixXd>(expected_.data(), count, count) + counted.transpose() * basis;
-  VectorXd slope = counted.transpose() * left, weights = VectorXd::Zero(count);
-  constexpr int most_sweeps = 20000;
-  double largest = 1;
-  for (int sweep = 0; sweep < most_sweeps && largest > 1e-9; ++sweep) {
-    largest = 0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double low = least.empty() ? 0 : least[used_[static_cast<std::size_t>(i)]];
-      const double next = std::clamp(weights[i] + slope[i] / hessian(i, i), low, 1.0), step = next - weights[i];
-      if (step == 0) continue;
-      weights[i] = next;
-      slope -= step * hessian.col(i);
-      largest = std::max(largest, std::abs(step));
-    }
+  for (const auto& [above, below] : gaps_) {
+    if (!seen.empty() && !(seen[above] && seen[below])) continue;
+    const auto upper = static_cast<Eigen::Index>(2 * above + 1), lower = static_cast<Eigen::Index>(2 * below + 1);
+    const Eigen::RowVectorXd parted = gap_weight_ * (basis.row(upper) - basis.row(lower));
+    counted.row(upper) += parted;
+    counted.row(lower) -= parted;
   }
+  Eigen::Map<VectorXd> left(wanted.data(), numbers);
+  const MatrixXd seen_of = counted.transpose() * basis;
+  const VectorXd slope = counted.transpose() * left;
+  std::vector<double> low(used_.size(), 0.0);
+  for (std::size_t i = 0; i < low.size() && !least.empty(); ++i) low[i] = least[used_[i]];
+  // How well each viseme explains what is seen.
+  std::vector<MatrixXd> hessians;
+  std::vector<double> likely;
+  for (const std::vector<double>& inverse : expected_) {
+    const Eigen::Map<const MatrixXd> expected(inverse.data(), count, count);
+    hessians.emplace_back(expected + seen_of);
+    const Eigen::LLT<MatrixXd> factor(hessians.back());
+    const double explained = slope.dot(factor.solve(slope)) / (error_mm_ * error_mm_);
+    likely.push_back((explained - log_determinant(factor) + log_determinant(Eigen::LLT<MatrixXd>(expected))) / 2);
+  }
+  const double most = *std::max_element(likely.begin(), likely.end());
+  constexpr double least_share = 1e-3;  // of the likeliest
+  VectorXd weights = VectorXd::Zero(count);
+  double sum = 0;
+  for (std::size_t i = 0; i < likely.size(); ++i) {
+    const double share = std::exp(likely[i] - most);
+    if (share < least_share) continue;
+    weights += share * least_in_box(hessians[i], slope, low);
+    sum += share;
+  }
+  weights /= sum;
   left -= basis * weights;
   std::vector<double> all(rows_.size(), 0.0);
   for (Eigen::Index i = 0; i < count; ++i) all[used_[static_cast<std::size_t>(i)]] = weights[i];

@@ -3,6 +3,7 @@
 // the area; Eigen stays out.
 #pragma once
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "nodes/meshik/landmark_vertices.h"
@@ -15,8 +16,10 @@ namespace face::meshik {
 struct MouthPrior {
   double restraint = 0.02;
   double variety = 2;
+  double common_share = 0.1;
   double own_deviation = 0.02;
   double landmark_error_mm = 0.4;
+  double gap_error_mm = 0.2;
 };
 
 class MouthFit {
@@ -30,14 +33,23 @@ class MouthFit {
 
   // The weights of the rig's shapes, each from its `least` (empty = 0) to 1, whose landmarks are nearest to `wanted`
   // (least squares with the prior, coordinate by coordinate; Hildreth, A Quadratic Programming Procedure, 1957). What
-  // is left of `wanted` stays in it. seen: landmarks that count, empty = all.
+  // is left of `wanted` stays in it. seen: landmarks that count, empty = all. How far inner lips are apart (points 61
+  // to 63 of Multi-PIE above 67 to 65) counts beside their places: what is wrong with the head's pose is wrong with
+  // both. With visemes the result is the mean over them, each as likely as it explains the landmarks (a mixture of
+  // Gaussians; Bishop, Pattern Recognition and Machine Learning, 2006, section 2.3.9; the range of the weights is left
+  // out of how likely a viseme is, and those below a thousandth out of the mean).
   std::vector<double> weights(std::vector<double>& wanted, const std::vector<double>& least = {},
                               const std::vector<bool>& seen = {}) const;
 
  private:
   std::vector<std::vector<double>> rows_;  // per shape of the rig
   std::vector<std::size_t> used_;
-  std::vector<double> expected_;  // used x used: inverse covariance in squares of the landmarks' error
+  std::vector<std::pair<std::size_t, std::size_t>> gaps_;  // places of inner lips, upper and lower
+  double gap_weight_ = 0;                                  // of a gap's square, where a coordinate's counts as 1
+  double error_mm_ = 0;
+  // Of each viseme, used x used: inverse covariance of the weights in squares of the landmarks' error; without visemes
+  // one.
+  std::vector<std::vector<double>> expected_;
 };
 
 }  // namespace face::meshik

@@ -13,7 +13,12 @@ SculptKeysResult sculpt_keys(const Rig& rig, const KeyShapes& key_shapes, const 
                              engine::SeqWriter<Weights>& rig_weights, const SculptKeysOptions& options) {
   const std::vector<LandmarkVertex> places = landmark_vertices(rig, neutral);
   const MouthFit fit(rig, places, visemes,
-                     {options.restraint, options.variety, options.own_deviation, options.landmark_error_mm});
+                     {.restraint = options.restraint,
+                      .variety = options.variety,
+                      .common_share = options.common_share,
+                      .own_deviation = options.own_deviation,
+                      .landmark_error_mm = options.landmark_error_mm,
+                      .gap_error_mm = options.gap_error_mm});
   SculptKeysResult result;
   result.reference = rig.neutral;
   result.mm_per_px = landmark_scale_mm(rig, neutral, places);

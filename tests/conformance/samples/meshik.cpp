@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "nodes/types/key_shapes.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
 #include "nodes/types/mesh.h"
@@ -58,6 +59,17 @@ const Maker hanging_points = changed<face::Landmarks>(speaker_points, [](face::L
   add_jaw(landmarks, 46.8 + 0.3 * variant);
 });
 
+// The same speaker with the middle of the inner lips, open in every other variant and key.
+void add_inner_lips(face::Landmarks& landmarks, int variant) {
+  landmarks.points.push_back({"inner_lip_2", 32, 31.5, true});
+  landmarks.points.push_back({"inner_lip_6", 32, 32 + 0.8 * (variant % 2), true});
+}
+const Maker parted_points = changed<face::Landmarks>(speaker_points, add_inner_lips);
+const Maker parted_keys = changed<face::KeyShapes>(speaker_keys, [](face::KeyShapes& keys, int variant) {
+  for (std::size_t k = 0; k < keys.shapes.size(); ++k)
+    add_inner_lips(keys.shapes[k].landmarks, variant + static_cast<int>(k) + 1);
+});
+
 // How sure it is that the lips meet.
 const Maker contact = made([](int variant) { return 0.25 * (variant % 4); });
 
@@ -68,8 +80,8 @@ const Registered meshik({
             {"meshik.blend_linear.weights", few_weights},
             {"meshik.transfer_landmarks.weights", few_weights},
             {"meshik.transfer_landmarks.key_shapes", speaker_keys},
-            {"meshik.sculpt_keys.key_shapes", speaker_keys},
-            {"meshik.sculpt_keys.neutral", speaker_points},
+            {"meshik.sculpt_keys.key_shapes", parted_keys},
+            {"meshik.sculpt_keys.neutral", parted_points},
             {"meshik.transfer_landmarks.contact", contact},
             {"meshik.solve.start", few_weights},
             {"meshik.reconstruct_matrix.reference", matrices(4, 3)},

@@ -108,6 +108,35 @@ TEST(SculptKeys, OfTwoShapesThatLookAlikeTakesTheOneThatSpeechUses) {
   EXPECT_LT(found.weights[0].values[0], 0.01);
 }
 
+// An F is two of forty phones: where all visemes were one Gaussian, a rolled lip was taken for pressed ones.
+TEST(SculptKeys, TakesTheVisemeThatExplainsTheLandmarksAndRollsInALipThatTouchesTheTeeth) {
+  Rig rig = speaking_rig();
+  Shape roll{"mouthRollLower", {56, 57, 58}, {{0, 6, -5}, {0, 6, -5}, {0, 6, -5}}};
+  Shape press{"mouthPressLeft", {50, 51, 52, 56, 57, 58}, {}};
+  for (std::size_t i = 0; i < 6; ++i) press.offsets_mm.push_back({0, i < 3 ? -1.0f : 6.0f, 0});
+  rig.shapes.push_back(roll);
+  rig.shapes.push_back(press);
+  Visemes table;
+  for (int i = 0; i < 20; ++i) {
+    table.visemes.push_back(viseme(0.4f, 0));
+    table.visemes.push_back(viseme(0.05f, 0));
+    table.visemes.back().weights[35] = 0.3f;  // mouthPressLeft
+  }
+  table.visemes.push_back(viseme(0.05f, 0));
+  table.visemes.back().contact = "teeth";
+  const Landmarks rest = seen(rig, 0, 0);
+  Landmarks teeth = rest;
+  for (Landmark& point : teeth.points)
+    if (point.name == "lip_8" || point.name == "lip_9" || point.name == "lip_10") point.y_px -= 0.9 * 6 / 0.5;
+  const KeyShapes keys{{{"1", 1, teeth}}};
+  const Sculpted found = sculpt(rig, keys, rest, {}, &table);
+  EXPECT_NEAR(found.weights[0].values[3], 0.9, 0.05);
+  EXPECT_LT(found.weights[0].values[4], 0.05);
+  SculptKeysOptions one;
+  one.common_share = 1;
+  EXPECT_GT(sculpt(rig, keys, rest, one, &table).weights[0].values[4], 0.2);
+}
+
 TEST(SculptKeys, UsesNoShapeThatMovesNoLandmark) {
   const Rig rig = speaking_rig();
   const Visemes table{{viseme(0.4f, 0.4f)}};
@@ -175,6 +204,28 @@ Rig closing_rig() {
   Shape close{"mouthClose", {66}, {{0, 15, 0}}};
   rig.shapes.push_back(close);
   return rig;
+}
+
+TEST(SculptKeys, BelievesWhatIsSeenBetweenTheLipsMoreThanTheirPlaces) {
+  Rig rig = closing_rig();
+  rig.shapes.resize(1);  // the jaw alone takes the lips apart
+  const auto with_inner_lips = [](Landmarks points, double gap_px) {
+    points.points.push_back({"inner_lip_2", 180, 199.6, true});
+    points.points.push_back({"inner_lip_6", 180, 200 + gap_px, true});
+    return points;
+  };
+  const Landmarks rest = with_inner_lips(seen(speaking_rig(), 0, 0), 0);
+  // The outer lips and the chin say that the mouth is open by 3 mm, between the lips there is nothing to be seen.
+  const KeyShapes keys{{{"1", 1, with_inner_lips(seen(speaking_rig(), 0.2f, 0), 0)}}};
+  double last = 0.2;
+  for (const double error_mm : {100.0, 0.2, 0.02}) {
+    SculptKeysOptions options;
+    options.gap_error_mm = error_mm;
+    const Sculpted found = sculpt(rig, keys, rest, options);
+    EXPECT_LT(found.weights[0].values[0], last - 0.01) << error_mm;
+    last = static_cast<double>(found.weights[0].values[0]);
+  }
+  EXPECT_LT(last, 0.01);
 }
 
 TEST(TransferLandmarks, BringsLipsThatMeetTogether) {
