@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "nodes/meshik/blend_linear.h"
 #include "nodes/meshik/transfer_landmarks.h"
@@ -191,6 +194,29 @@ TEST(TransferLandmarks, BlendsTheLandmarksOfTheKeyMeshes) {
   EXPECT_TRUE(transfer_landmarks(rig, meshes, keys, {}).targets.empty());
   EXPECT_THROW_TEXT(transfer_landmarks(rig, meshes, keys, {{1.0f}}),
                     "there are 1 weights, expected 2, one per key mesh");
+}
+
+// Meshes that count how often they are asked for, as if each were read from a disk.
+struct CountedMeshes final : engine::SeqSource<Mesh> {
+  explicit CountedMeshes(std::vector<Mesh> values) : meshes(std::move(values)), loads(meshes.size(), 0) {}
+  std::size_t size() const override { return meshes.size(); }
+  std::string id(std::size_t index) const override { return std::to_string(index); }
+  std::shared_ptr<const Mesh> load(std::size_t index) const override {
+    ++loads[index];
+    return std::make_shared<const Mesh>(meshes[index]);
+  }
+  std::vector<Mesh> meshes;
+  mutable std::vector<int> loads;
+};
+
+// A film of ten minutes took an hour: a frame read every mesh from the store once per landmark.
+TEST(TransferLandmarks, AsksForAKeyMeshOnceAndOnlyWhereItHasWeight) {
+  const Rig rig = speaking_rig();
+  const KeyShapes keys{{{"1", 1, seen(rig, 1, 0)}, {"2", 1, seen(rig, 0, 1)}}};
+  const auto source = std::make_shared<const CountedMeshes>(sculpt(rig, keys, seen(rig, 0, 0)).meshes);
+  const double contact = 1;
+  transfer_landmarks(rig, engine::Seq<Mesh>(source), keys, {{0.5f, 0}}, &contact);
+  EXPECT_EQ(source->loads, (std::vector<int>{1, 0}));
 }
 
 // Inner lips that are 0.2 mm apart at rest, and a shape that brings them together.
