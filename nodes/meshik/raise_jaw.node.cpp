@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.raise_jaw", &raise_jaw, version{1},
+NODE("meshik.raise_jaw", &raise_jaw, version{2},
      doc{"Landmarks of a mouth at rest, from those of a mouth that is shut over a hanging jaw, as in the middle of "
          "speech."},
      input{"rig", "The head"},
