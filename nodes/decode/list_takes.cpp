@@ -2,12 +2,15 @@
 #include "nodes/decode/list_takes.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "nodes/base/check.h"
 #include "nodes/decode/input_file.h"
+#include "nodes/decode/read_audio.h"
+#include "nodes/decode/read_text.h"
 
 namespace face::decode {
 namespace {
@@ -129,6 +132,17 @@ class Partners {
   std::vector<File> files_;
 };
 
+// What is wrong with a take's sound and text, which would stop the run where they are read; empty where nothing is.
+std::string trouble_with(const std::string& sound, const std::string& text) {
+  try {
+    if (!sound.empty()) read_audio(engine::File::at(sound));
+    if (!text.empty()) read_text(engine::File::at(text));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
 engine::File content_of(const std::string& path) {
   const engine::File file = engine::File::at(path);
   return engine::File::from_bytes(read_bytes(file), file.suffix());
@@ -143,14 +157,15 @@ ListTakesResult list_takes(const engine::File& folder, const engine::File* sound
   std::vector<std::string> troubles;
   const std::vector<Take> found = takes_of(folder);
   Partners all_sounds(sound, Kind::sound, found, troubles), all_texts(texts, Kind::text, found, troubles);
-  std::string first_missing;
+  std::string first_trouble;
   std::size_t kept = 0;
   for (const Take& take : found) {
     std::string missing;
     const std::string its_sound = all_sounds.find(take, missing), its_text = all_texts.find(take, missing);
-    if (!missing.empty()) {
-      troubles.push_back(message("take ", take.name, ": it ", missing, "; left out"));
-      if (first_missing.empty()) first_missing = message("take ", take.name, " ", missing);
+    std::string trouble = missing.empty() ? trouble_with(its_sound, its_text) : "it " + missing;
+    if (!trouble.empty()) {
+      troubles.push_back(message("take ", take.name, ": ", trouble, "; left out"));
+      if (first_trouble.empty()) first_trouble = message("take ", take.name, ": ", trouble);
       continue;
     }
     if (take.id != take.name && !digits_only(take.name))
@@ -163,7 +178,7 @@ ListTakesResult list_takes(const engine::File& folder, const engine::File* sound
   }
   all_sounds.name_the_rest();
   all_texts.name_the_rest();
-  check(kept > 0, title_of(folder), ": none of its ", found.size(), " takes is left; ", first_missing);
+  check(kept > 0, title_of(folder), ": none of its ", found.size(), " takes is left; ", first_trouble);
   ListTakesResult result;
   for (const std::string& trouble : troubles) {
     progress.warn(trouble);

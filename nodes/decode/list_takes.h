@@ -14,8 +14,8 @@ struct ListTakesResult {
 // names, as the folders have them, in the order of their ids. An id is the name; letters that ids cannot have (spaces,
 // umlauts) become "_", and of names that become alike the later get "_2", "_3". sound, texts: folders with a recording
 // and a .txt of every take, named as it is (or with the same id: 01.wav of take 1), which come out as sounds and
-// scripts; null = none. A take without its sound or text is left out, as is a file that no take has; a warning names
-// it. Throws where folder has no takes, and where no take is left.
+// scripts; null = none. A take without its sound or text is left out, as is one whose sound or text cannot be read
+// (decode.audio, decode.text), and a file that no take has; a warning names it. Throws where folder has no takes, and where no take is left.
 ListTakesResult list_takes(const engine::File& folder, const engine::File* sound, const engine::File* texts,
                            engine::SeqWriter<std::string>& takes, engine::SeqWriter<engine::File>& sounds,
                            engine::SeqWriter<engine::File>& scripts, engine::Progress& progress);

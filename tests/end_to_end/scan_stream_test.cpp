@@ -79,7 +79,7 @@ TEST_F(ScanStream, NamesWhatIsWrongAndKeepsTheRest) {
   }
 }
 
-// Folders as people name them, a take whose depth is no depth, one without sound.
+// Folders as people name them, a take whose depth is no depth, one without sound, one whose sound is none.
 TEST_F(ScanStream, LeavesOutATakeOfWhichNothingIsLeftAndKeepsTheRest) {
   const auto copy_take = [&](const std::string& take) {
     for (const std::string kind : {"depth", "picture"})
@@ -87,10 +87,11 @@ TEST_F(ScanStream, LeavesOutATakeOfWhichNothingIsLeftAndKeepsTheRest) {
     fs::copy(path("sentences/1.txt"), path("sentences/" + take + ".txt"));
     fs::copy(path("stream/sound/1.wav"), path("stream/sound/" + take + ".wav"));
   };
-  for (const char* take : {"M\xc3\xa4rz, second try", "dark", "mute"}) copy_take(take);
+  for (const char* take : {"M\xc3\xa4rz, second try", "dark", "mute", "hiss"}) copy_take(take);
   const std::size_t count = names("stream/depth/1").size();
   for (const std::string& frame : names("stream/depth/dark")) write("stream/depth/dark/" + frame, "no picture");
   fs::remove(path("stream/sound/mute.wav"));
+  write("stream/sound/hiss.wav", "no sound");
   fs::remove_all(path("stream/depth/1"));
   const Ended ended =
       command({"run", graph("scan_stream/recorded.json"), "--set", "scans=stream", "--set", "sound=stream/sound",
@@ -98,8 +99,9 @@ TEST_F(ScanStream, LeavesOutATakeOfWhichNothingIsLeftAndKeepsTheRest) {
   EXPECT_EQ(ended.code, 0) << ended.output;
   for (const char* text :
        {"take M\xc3\xa4rz, second try: it is called M_rz__second_try in what is written",
-        "take mute: it has no file mute.wav in sound; left out", "sound/1.wav belongs to no take; left out",
-        "take dark: none of its ", " frames is left; frame 0: depth/dark/0.png", "; the take is left out"})
+        "take mute: it has no file mute.wav in sound; left out", "take hiss: hiss.wav: cannot be read",
+        "sound/1.wav belongs to no take; left out", "take dark: none of its ",
+        " frames is left; frame 0: depth/dark/0.png", "; the take is left out"})
     EXPECT_NE(ended.output.find(text), std::string::npos) << text << "\n" << ended.output;
   std::size_t smoothed = 0;
   for (const std::string& line : test::lines_of(read("events.ndjson"))) {

@@ -12,7 +12,7 @@ namespace conformance {
 namespace {
 
 // One second of a tone as 16-bit WAV.
-Sample tone(engine::Plugins&, int variant) {
+std::string tone_bytes(int variant) {
   const std::uint32_t rate = 16000, count = 16000;
   std::string bytes;
   const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
@@ -25,7 +25,11 @@ Sample tone(engine::Plugins&, int variant) {
   put(2 * count);
   for (std::uint32_t i = 0; i < count; ++i)
     put(static_cast<std::int16_t>((static_cast<int>(i) * (37 + variant)) % 8000 - 4000));
-  return {test::sample_file("tone" + std::to_string(variant) + ".wav", bytes), "file"};
+  return bytes;
+}
+
+Sample tone(engine::Plugins&, int variant) {
+  return {test::sample_file("tone" + std::to_string(variant) + ".wav", tone_bytes(variant)), "file"};
 }
 
 // Recorded takes a to d, each of another grey; in each a frame is nearer and one is cut in half.
@@ -54,7 +58,7 @@ Sample files_of_takes(engine::Plugins&, int variant) {
   std::map<std::string, std::string> files;
   for (int take = 0; take < 4 - variant; ++take) {
     const std::string name = std::string(1, static_cast<char>('a' + take)) + suffix;
-    files[name] = "of " + name;
+    files[name] = kind == Kind::sound ? tone_bytes(take) : "of " + name;
   }
   return {test::sample_folder("files" + suffix.substr(1) + std::to_string(variant), files), "file"};
 }

@@ -19,11 +19,26 @@ class Heard : public engine::Progress {
   Names texts;
 };
 
-// Every file of sounds and texts holds its own name.
+// A WAV of 8 bits whose samples are a text's bytes.
+std::string spoken(const std::string& text) {
+  const auto number = [](std::size_t value, int bytes) {
+    std::string out;
+    for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
+    return out;
+  };
+  const std::string even = text.size() % 2 ? text + " " : text;
+  return "RIFF" + number(36 + even.size(), 4) + "WAVEfmt " + number(16, 4) + number(1, 2) + number(1, 2) +
+         number(16000, 4) + number(16000, 4) + number(1, 2) + number(8, 2) + "data" + number(text.size(), 4) + even;
+}
+
+// Every file of sounds and texts says its own name; "bad" ones cannot be read.
 engine::File folder_of(const std::string& name, const Names& files, const test::Temporary* disk = nullptr) {
   std::vector<engine::File::Entry> entries;
-  for (const std::string& file : files)
-    entries.push_back({file, disk ? disk->write(name + "/" + file, name + "/" + file) : "/x/" + name + "/" + file});
+  for (const std::string& file : files) {
+    const std::string says = name + "/" + file;
+    const bool text = file.ends_with(".txt"), bad = file.find("bad") != std::string::npos;
+    entries.push_back({file, disk ? disk->write(says, bad ? "\xFF?" : text ? says : spoken(says)) : "/x/" + says});
+  }
   return engine::File::folder("/x/" + name, entries);
 }
 
@@ -41,7 +56,8 @@ Listed list(const Names& stream, const Names* sound = nullptr, const Names* text
   const auto writer = [&](Names& list) {
     return engine::SeqWriter<engine::File>([&](std::string id, engine::File file) {
       EXPECT_EQ(id, out.ids[list.size()]);
-      list.push_back(file.bytes());
+      const std::string bytes = file.bytes(), says = bytes.starts_with("RIFF") ? bytes.substr(44) : bytes;
+      list.push_back(says.substr(0, says.find(' ', says.find_last_of('.'))));
       EXPECT_EQ(file.suffix(), list.back().substr(list.back().find_last_of('.')));
     });
   };
@@ -105,6 +121,20 @@ TEST(ListTakes, LeavesOutTakesWithoutSoundOrText) {
   EXPECT_EQ(listed.report, lines);
 }
 
+TEST(ListTakes, LeavesOutTakesWhoseSoundOrTextCannotBeRead) {
+  const Names sound = {"a.wav", "b bad.wav", "c.wav", "d bad.txt"}, texts = {"a.txt", "b bad.txt", "c.txt"};
+  const Listed listed = list({"depth/a/1.png", "depth/b bad/1.png", "depth/c/1.png"}, &sound, &texts);
+  EXPECT_EQ(listed.ids, (Names{"a", "c"}));
+  EXPECT_EQ(listed.sounds, (Names{"sound/a.wav", "sound/c.wav"}));
+  EXPECT_EQ(listed.warnings,
+            (Names{"take b bad: b bad.wav: cannot be read: Invalid data found when processing input; expected a "
+                   "recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound); left out"}));
+  const Names good = {"a.wav", "bad.wav"}, odd = {"a.txt", "bad.txt"};
+  EXPECT_EQ(list({"depth/a/1.png", "depth/bad/1.png"}, nullptr, &odd).warnings,
+            (Names{"take bad: bad.txt line 1: found byte 0xFF at byte 0, expected UTF-8 text; left out"}));
+  EXPECT_EQ(list({"depth/a/1.png", "depth/bad/1.png"}, &good).ids, (Names{"a"}));
+}
+
 TEST(ListTakes, SoundsAndTextsMayLieInOneFolder) {
   const Names both = {"a.txt", "a.wav"};
   const Listed listed = list({"depth/a/1.png"}, &both, &both);
@@ -117,7 +147,7 @@ TEST(ListTakes, RejectsAFolderWithoutTakesOrWithNoneLeft) {
   EXPECT_THROW_TEXT(list({"a.png"}), "stream: has no files like depth/TAKE/17.png or cloud/TAKE/17.ply among its 1");
   const Names sound = {"b.wav"};
   EXPECT_THROW_TEXT(list({"depth/a/1.png"}, &sound),
-                    "stream: none of its 1 takes is left; take a has no file a.wav in sound");
+                    "stream: none of its 1 takes is left; take a: it has no file a.wav in sound");
 }
 
 }  // namespace
