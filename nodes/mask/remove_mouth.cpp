@@ -166,6 +166,58 @@ void move_to_edges(const DepthScan& scan, const Rectangle& box, std::vector<std:
     }
 }
 
+// Follows the slit into the corners of the mouth, where teeth lie so close behind the lips that depth alone does not
+// tell: from a column's run outwards, column by column, what is clearly brighter than both lips and lies a little
+// behind the band. Gaps between teeth are stepped over.
+void follow_into_corners(const DepthScan& scan, const Rectangle& box, const std::vector<float>& below,
+                         double threshold_mm, std::vector<std::uint8_t>& inside) {
+  constexpr double least_contrast = 15;   // grey levels between teeth and lips
+  constexpr double share_of_depth = 0.2;  // of the threshold
+  constexpr int lip_px = 3;               // from the edge, where a lip has its own grey
+  constexpr int widest_gap_px = 2;
+  struct Run {
+    int top, bottom;  // bounds included
+  };
+  const std::vector<std::uint8_t> source = inside;
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * box.width + x); };
+  const auto grey = [&](int x, int y) { return grey_at(scan.picture, box.left + x, box.top + y); };
+  const auto run_of = [&](int x) {
+    Run run{-1, -1};
+    for (int y = 0; y < box.height; ++y) {
+      if (!source[at(x, y)]) continue;
+      if (run.top < 0) run.top = y;
+      run.bottom = y;
+    }
+    return run;
+  };
+  // What continues a run in the next column; top is -1 where nothing does.
+  const auto continued = [&](const Run& run, int x) {
+    Run next{-1, -1};
+    const double lips = std::max(grey(x, run.top - lip_px), grey(x, run.bottom + lip_px));
+    for (int y = std::max(run.top - 1, lip_px); y <= std::min(run.bottom + 1, box.height - 1 - lip_px); ++y) {
+      const auto depth = static_cast<double>(below[at(x, y)]);
+      if ((depth >= 0 && depth < share_of_depth * threshold_mm) || grey(x, y) < lips + least_contrast) continue;
+      if (next.top < 0) next.top = y;
+      next.bottom = y;
+    }
+    return next;
+  };
+  for (const int side : {-1, 1})
+    for (int start = 0; start < box.width; ++start) {
+      Run run = run_of(start);
+      if (run.top < lip_px || run.bottom + lip_px >= box.height) continue;
+      int gap = 0;
+      for (int x = start + side; x >= 0 && x < box.width && gap <= widest_gap_px && run_of(x).top < 0; x += side) {
+        const Run next = continued(run, x);
+        ++gap;
+        if (next.top < 0) continue;
+        for (; gap > 0; --gap)
+          for (int y = next.top; y <= next.bottom; ++y) inside[at(x - side * (gap - 1), y)] = 1;
+        run = next;
+      }
+    }
+}
+
 double area_of(const std::vector<std::uint8_t>& inside) {
   return static_cast<double>(std::count(inside.begin(), inside.end(), 1));
 }
@@ -202,6 +254,7 @@ RemoveMouthResult remove_mouth(const DepthScan& scan, const Landmarks* moved, co
   }
 
   move_to_edges(scan, box, inside);
+  follow_into_corners(scan, box, below, options.threshold_mm, inside);
   RemoveMouthResult result{scan, {scan.picture.width, scan.picture.height, 1, {}}, {}};
   result.interior.pixels.assign(scan.depth_mm.size(), 0);
   for (int y = 0; y < box.height; ++y)

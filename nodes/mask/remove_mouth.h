@@ -26,7 +26,8 @@ struct RemoveMouthResult {
 // (Bargmann, Blanz and Seidel, section 2: inner lip edges from depth and texture, inside a rectangle of constant size
 // about the mouth, one parameter). In every column of the rectangle a band is stretched over the surface from lip to
 // lip (the upper convex hull of the profile); what lies deeper below it than threshold_mm is inside, and so is what is
-// not measured next to that. The edge is then moved by at most two pixels to the steepest step of grey.
+// not measured next to that. The edge is then moved by at most two pixels to the steepest step of grey, and the slit is
+// followed into the corners of a mouth that is nearly shut by what is brighter than both lips and lies a little deeper.
 // moved, before: landmarks of this frame and of the frame that the rectangle was set for; it moves with the median of
 // their displacements. Without them it stays. Differs from the paper, which does not say how edges are detected.
 // report: columns threshold_mm, area_px, area_low_px and area_high_px (the areas at 0.75 and 1.33 times the threshold),

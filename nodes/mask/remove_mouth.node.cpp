@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::mask;
 
-NODE("mask.remove_mouth", &remove_mouth, version{1},
+NODE("mask.remove_mouth", &remove_mouth, version{2},
      doc{"Takes teeth, tongue and the hollow of the mouth out of a scan, up to the inner edge of the lips, by one "
          "parameter. Give single frames another value by overrides; mask.review proposes them."},
      input{"scan", "The scan"}, input{"moved", "Landmarks of this frame: the rectangle moves with them"},

@@ -85,6 +85,29 @@ TEST(RemoveMouth, FindsTheInnerEdgeOfTheLipsToThreeQuartersOfAPixel) {
   }
 }
 
+// Teeth in the corners lie close behind the lips.
+TEST(RemoveMouth, FollowsASlitIntoTheCornersOfTheMouth) {
+  for (const float open : {0.25f, 0.35f}) {
+    const auto frame = stream().frame(stream().weights({{"mouthLowerDownLeft", open},
+                                                        {"mouthLowerDownRight", open},
+                                                        {"mouthStretchLeft", 0.4f},
+                                                        {"mouthStretchRight", 0.4f}}));
+    const Image interior = remove_mouth(frame.scan, nullptr, nullptr).interior;
+    int teeth = 0, left = 0, taken = 0;
+    for (int y = 262; y < 390; ++y)
+      for (int x = 230; x < 410; ++x) {
+        const auto i = static_cast<std::size_t>(y * 640 + x);
+        const bool tooth = is_inside(stream().part(frame, i)) && frame.scan.picture.pixels[i] > 90;
+        teeth += tooth ? 1 : 0;
+        left += tooth && !interior.pixels[i] ? 1 : 0;
+        taken += !is_inside(stream().part(frame, i)) && interior.pixels[i] ? 1 : 0;
+      }
+    EXPECT_GE(teeth, 100);
+    EXPECT_LE(left, teeth / 14) << open;
+    EXPECT_LE(taken, 40) << open;
+  }
+}
+
 TEST(RemoveMouth, RemovesNothingFromAClosedMouth) {
   const auto frame = stream().frame(stream().weights({}));
   const RemoveMouthResult result = remove_mouth(frame.scan, nullptr, nullptr);
