@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "nodes/align/marker_points.h"
 #include "nodes/base/check.h"
 #include "nodes/base/quantile.h"
 #include "nodes/base/random.h"
@@ -29,33 +30,11 @@ Point moved(const RigidMotion& m, const Point& p) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-// Depth of a plane fitted to the measured pixels about a place; 0 where fewer than 12 of 81 are.
-float plane_depth(const DepthScan& scan, double x_px, double y_px) {
-  const int cx = static_cast<int>(std::lround(x_px)), cy = static_cast<int>(std::lround(y_px));
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  int count = 0;
-  for (int y = std::max(cy - 4, 0); y <= std::min(cy + 4, scan.picture.height - 1); ++y)
-    for (int x = std::max(cx - 4, 0); x <= std::min(cx + 4, scan.picture.width - 1); ++x) {
-      const auto depth = static_cast<double>(scan.depth_mm[static_cast<std::size_t>(y * scan.picture.width + x)]);
-      if (!(depth > 0)) continue;
-      const Eigen::Vector3d row(x - x_px, y - y_px, 1);
-      a += row * row.transpose();
-      b += row * depth;
-      ++count;
-    }
-  if (count < 12) return 0;
-  return static_cast<float>(Eigen::Vector3d(a.ldlt().solve(b))(2));
-}
-
 std::map<std::string, Point> points_of(const DepthScan& scan, const Landmarks& markers) {
   std::map<std::string, Point> out;
   const ScanRays rays(scan.camera);
-  for (const Landmark& marker : markers.points) {
-    if (!marker.valid) continue;
-    const float depth = plane_depth(scan, marker.x_px, marker.y_px);
-    if (!(depth > 0)) continue;
-    const Vec3f p = rays.point(marker.x_px, marker.y_px, depth);
+  for (const MarkerPoint& marker : marker_points(scan, markers)) {
+    const Vec3f p = rays.point(marker.x_px, marker.y_px, static_cast<float>(marker.depth_mm));
     out[marker.name] = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   }
   return out;

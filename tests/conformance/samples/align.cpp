@@ -18,6 +18,7 @@ const Maker grainy_scan = changed<face::DepthScan>(another("depth_scan", 2), [](
   for (std::size_t i = 0; i < scan.picture.pixels.size(); ++i) scan.picture.pixels[i] ^= i * i % 13;
 });
 
+const std::string a_stream = "it takes a head that turns, six markers in four frames (CheckCamera tests)";
 const std::string as_the_mask = "it says what the mask was made with, and others are refused";
 
 const Registered align({
@@ -37,6 +38,11 @@ const Registered align({
                {"align.crop.columns", whole(32)},
                {"align.crop.step_mm", 8.0}},
     .values = {{"align.choose_reference.frame", {text("0"), text("1"), text("2")}}},
+    .shown_elsewhere = {{"align.check_camera.scans", a_stream},
+                        {"align.check_camera.markers", a_stream},
+                        {"align.check_camera.reference", a_stream},
+                        {"align.check_camera.reference_markers", a_stream},
+                        {"align.check_camera.frames", a_stream}},
     .only_refuses = {{"align.crop.rows", as_the_mask}, {"align.crop.columns", as_the_mask}},
 });
 
