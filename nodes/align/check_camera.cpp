@@ -137,7 +137,7 @@ CheckCameraResult check_camera(const engine::Seq<DepthScan>& scans, const engine
                     rounded(result.stretch_y) + " times what they are; markers stay " + rounded(result.rms_mm) +
                     " mm from a rigid head's, with other focal lengths " + rounded(result.best_rms_mm) + " mm";
     progress.warn(result.report);
-  } else if (result.told) {
+  } else if (result.told && !other) {
     result.report = "the head's turns agree with fx and fy";
   } else {
     result.report = "the head turns too little to tell whether fx and fy are true";
