@@ -103,25 +103,6 @@ std::vector<std::vector<double>> modes_of(const Points& points) {
   return modes;
 }
 
-void limit(double error_px, Sighting& place) {
-  const double largest = (place.xx + place.yy) / 2 + std::hypot((place.xx - place.yy) / 2, place.xy);
-  const double scale = largest > 0 ? std::min(1.0, 1 / (error_px * error_px * largest)) : 0;
-  place.xx *= scale, place.xy *= scale, place.yy *= scale;
-}
-
-void add(const Sighting& more, Sighting& place) {
-  const double xx = place.xx + more.xx, xy = place.xy + more.xy, yy = place.yy + more.yy, det = xx * yy - xy * xy;
-  if (more.xx + more.yy == 0) return;
-  const double bx = place.xx * place.x_px + place.xy * place.y_px + more.xx * more.x_px + more.xy * more.y_px;
-  const double by = place.xy * place.x_px + place.yy * place.y_px + more.xy * more.x_px + more.yy * more.y_px;
-  if (det > 1e-12) {
-    place.x_px = (yy * bx - xy * by) / det, place.y_px = (xx * by - xy * bx) / det;
-  } else if (place.xx + place.yy == 0) {
-    place.x_px = more.x_px, place.y_px = more.y_px;
-  }
-  place.xx = xx, place.xy = xy, place.yy = yy;
-}
-
 Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
   for (std::size_t i = 0; i < places.size(); ++i)
     points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;

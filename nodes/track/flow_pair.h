@@ -35,8 +35,6 @@ class FlowPair {
 // and leaves weak contrast to them.
 void add_information(const Grey& grey, int side_px, Sighting& place);
 
-inline void forget(Sighting& place) { place.xx = place.xy = place.yy = 0; }
-inline bool is_seen(const Sighting& place) { return place.xx + place.yy > 0; }
 inline bool is_inside(double x_px, double y_px, int width, int height) {
   return x_px >= -0.5 && y_px >= -0.5 && x_px <= width - 0.5 && y_px <= height - 0.5;
 }

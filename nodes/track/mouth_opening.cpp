@@ -30,6 +30,15 @@ LipColour mean_colour(const std::vector<LipColour>& colours, double from, double
   return mean;
 }
 
+// What a mouth's height is held against. Not its width, where the eyes are seen: lips that meet in a pout are as thick
+// as others, on a narrower mouth.
+double usual_width_px(const Landmarks& landmarks, const MouthWidth& width) {
+  constexpr double mouth_of_eyes = 1.5;  // widths of the mouth in distances of the inner corners of the eyes
+  const Landmark *right = find_landmark(landmarks, "eye_inner_r"), *left = find_landmark(landmarks, "eye_inner_l");
+  if (!right || !left || !right->valid || !left->valid) return width.length_px();
+  return mouth_of_eyes * distance_px(*right, *left);
+}
+
 }  // namespace
 
 double mouth_opening(const Image& image, const Landmarks& landmarks) {
@@ -56,7 +65,7 @@ double mouth_opening(const Image& image, const Landmarks& landmarks) {
     sum += std::sqrt(square) / lip_line_samples;
   }
   const double height_px = std::hypot(line.lower->x_px - line.upper->x_px, line.lower->y_px - line.upper->y_px);
-  return sum * height_px / std::max(1.0, width.length_px());
+  return sum * height_px / std::max(1.0, usual_width_px(landmarks, width));
 }
 
 }  // namespace face::track

@@ -19,12 +19,21 @@ struct Layout {
   Place turn = 1;  // rotation and scale since the start
 };
 
+Layout layout_on(const SolidHead& head, const Landmarks& start, const std::vector<double>& depths_px) {
+  Layout out;
+  for (std::size_t i = 0; i < start.points.size(); ++i)
+    out.places.push_back(head.seen({start.points[i].x_px, start.points[i].y_px}, depths_px[i]));
+  out.turn = Place(head.turn[0] + head.turn[4], head.turn[3] - head.turn[1]) / 2.0;
+  return out;
+}
+
 // The similarity that carries the start points to where the seen ones are (least squares; Umeyama, PAMI 1991, in two
 // dimensions as complex numbers), applied to all. A translation where fewer than two are seen. Where two rigid points
 // are seen or carried, these alone decide.
 Layout carry_layout(const Landmarks& start, std::vector<Sighting> sightings, const Bonds& bonds) {
   const std::vector<std::size_t>& rigid = bonds.rigid;
   const std::vector<double>& depths_px = bonds.depths_px;
+  if (bonds.head) return layout_on(*bonds.head, start, depths_px);
   const auto is_seen = [&](std::size_t i) { return sightings[i].xx + sightings[i].yy > 0; };
   constexpr double trust_in_carried = 0.25;
   std::vector<double> trust(sightings.size(), 1);
@@ -58,10 +67,7 @@ Layout carry_layout(const Landmarks& start, std::vector<Sighting> sightings, con
     std::vector<SolidPoint> points;
     for (const std::size_t i : rigid)
       if (is_seen(i)) points.push_back({at(i), Place(sightings[i].x_px, sightings[i].y_px), depths_px[i], trust[i]});
-    const SolidHead head = find_solid_head(points, out.turn);
-    for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(head.seen(at(i), depths_px[i]));
-    out.turn = Place(head.turn[0] + head.turn[4], head.turn[3] - head.turn[1]) / 2.0;
-    return out;
+    return layout_on(find_solid_head(points, out.turn), start, depths_px);
   }
   for (std::size_t i = 0; i < sightings.size(); ++i) out.places.push_back(seen_mean + out.turn * (at(i) - start_mean));
   return out;
@@ -147,12 +153,6 @@ std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>
     out[i].y_px = layout.places[i].imag() + offset(static_cast<Eigen::Index>(2 * i + 1));
   }
   return out;
-}
-
-double sure_length_px(const Sighting& s, double dx_px, double dy_px) {
-  const double mean = (s.xx + s.yy) / 2, largest = mean + std::hypot((s.xx - s.yy) / 2, s.xy);
-  if (largest <= 0) return std::hypot(dx_px, dy_px);
-  return std::sqrt(std::max(0.0, s.xx * dx_px * dx_px + 2 * s.xy * dx_px * dy_px + s.yy * dy_px * dy_px) / largest);
 }
 
 }  // namespace face::track

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "nodes/track/sighting.h"
+#include "nodes/track/solid_head.h"
 #include "nodes/types/landmarks.h"
 
 namespace face::track {
-
-// Where a point was seen, and how surely: the information matrix of the place, 1/px^2. All zero where it was not seen.
-struct Sighting {
-  double x_px = 0;
-  double y_px = 0;
-  double xx = 0, xy = 0, yy = 0;
-};
 
 // What keeps points together.
 struct Bonds {
@@ -22,6 +18,7 @@ struct Bonds {
   double slack_px = 2;                  // usual distance from such a shape of a point that takes part in it
   std::vector<std::size_t> rigid = {};  // points that carry the layout where two of them are seen; else all do
   std::vector<double> depths_px = {};   // of all points, towards the viewer: the layout is a solid; {} = it is flat
+  std::optional<SolidHead> head = {};   // where the head is, of which the layout is a part; needs depths_px
   std::vector<Sighting> carried =
       {};  // of all points: where rigid ones that are not seen are taken to be; {} = nowhere
 };
@@ -34,8 +31,5 @@ struct Bonds {
 // with distance as a Gaussian of the points' median spacing; what the modes explain of the offsets costs only what the
 // modes cost, as in a probabilistic shape model.) start: the layout, N points. sightings: N.
 std::vector<Sighting> settle(const Landmarks& start, const std::vector<Sighting>& sightings, const Bonds& bonds);
-
-// Length of an error in the direction in which a sighting is sure, px: sqrt(e' I e / largest eigenvalue of I).
-double sure_length_px(const Sighting& sighting, double dx_px, double dy_px);
 
 }  // namespace face::track

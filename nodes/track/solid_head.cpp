@@ -33,6 +33,15 @@ Place SolidHead::at_rest(Place seen_px, double depth_px) const {
                                                    (turn[0] * off.imag() - turn[3] * off.real()) / det);
 }
 
+SolidHead solid_head(const HeadPose& pose, const std::array<double, 3>& origin_px) {
+  Pose numbers;
+  numbers << pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px;
+  SolidHead head{origin_px, {}, {pose.x_px, pose.y_px}};
+  const Turn turn = turn_of(numbers);
+  for (std::size_t i = 0; i < 9; ++i) head.turn[i] = turn.data()[i];
+  return head;
+}
+
 SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarity) {
   constexpr double turn_deviation = 0.14, scale_deviation = 0.05, place_error_px = 0.7;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -74,12 +83,7 @@ SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarit
     pose += move;
     if (move.cwiseAbs().maxCoeff() < settled) break;
   }
-  SolidHead head;
-  head.origin_px = {origin[0], origin[1], origin[2]};
-  head.place_px = {pose[4], pose[5]};
-  const Turn turn = turn_of(pose);
-  for (std::size_t i = 0; i < 9; ++i) head.turn[i] = turn.data()[i];
-  return head;
+  return solid_head({pose[0], pose[1], pose[2], pose[3], pose[4], pose[5]}, {origin[0], origin[1], origin[2]});
 }
 
 double usual_depth(const std::string& name) {

@@ -15,6 +15,14 @@ struct SolidPoint {
   double weight = 1;
 };
 
+// Angles, scale and place of a solid: turned about the picture's axes (x right, y down, z to the viewer) in this order,
+// then scaled; (x_px, y_px) is where its origin is seen.
+struct HeadPose {
+  double nod = 0, turn = 0, tilt = 0;  // rad
+  double log_scale = 0;
+  double x_px = 0, y_px = 0;
+};
+
 // A head that a camera far away sees: scaled orthographic projection of a solid.
 struct SolidHead {
   std::array<double, 3> origin_px = {0, 0, 0};               // a place at rest, that is seen at place_px
@@ -26,6 +34,8 @@ struct SolidHead {
   // The point at rest, of this depth, that is seen there.
   std::complex<double> at_rest(std::complex<double> seen_px, double depth_px) const;
 };
+
+SolidHead solid_head(const HeadPose& pose, const std::array<double, 3>& origin_px);
 
 // The pose at which the points lie nearest to where they were seen (Gauss-Newton on three angles, scale and place).
 // Three points are as many numbers as a pose has, and noise of the tip of the nose would turn the head: nods and turns

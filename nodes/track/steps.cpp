@@ -5,82 +5,29 @@
 #include <cmath>
 #include <complex>
 
-#include "nodes/base/find_landmark.h"
 #include "nodes/track/find_face.h"
-#include "nodes/track/jaw_line.h"
-#include "nodes/track/mouth_shape.h"
-#include "nodes/track/outline.h"
 #include "nodes/track/solid_head.h"
 
 namespace face::track {
 namespace {
 
-std::size_t patch_offset(const Image& patches, std::size_t index, int row, int side_px, int y) {
-  return static_cast<std::size_t>((row * side_px + y) * patches.width + static_cast<int>(index) * side_px);
-}
-
-// Adds one sighting to another: both are true within their errors.
-void add(const Sighting& more, Sighting& place) {
-  const double xx = place.xx + more.xx, xy = place.xy + more.xy, yy = place.yy + more.yy, det = xx * yy - xy * xy;
-  if (det <= 1e-12) {
-    if (!is_seen(place)) place = more;
-    return;
-  }
-  const double bx = place.xx * place.x_px + place.xy * place.y_px + more.xx * more.x_px + more.xy * more.y_px;
-  const double by = place.xy * place.x_px + place.yy * place.y_px + more.xy * more.x_px + more.yy * more.y_px;
-  place = {(yy * bx - xy * by) / det, (xx * by - xy * bx) / det, xx, xy, yy};
-}
-
-// A sighting may claim no smaller error than this.
-void limit(double error_px, Sighting& place) {
-  const double largest = (place.xx + place.yy) / 2 + std::hypot((place.xx - place.yy) / 2, place.xy);
-  const double scale = largest > 0 ? std::min(1.0, 1 / (error_px * error_px * largest)) : 0;
-  place.xx *= scale, place.xy *= scale, place.yy *= scale;
-}
-
-Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;
-  return points;
-}
-
-// Likeness from which on a point's own patch is seen again. A dot painted on the face is told from skin also where it
-// is stretched, seen from the side or in a shade.
-double seen_again_from(bool is_dot, const TrackKltOptions& options) {
-  constexpr double of_dots = 0.5;
-  return is_dot ? std::min(of_dots, options.min_likeness) : options.min_likeness;
-}
-
-// How far a point goes to its own patch, 0 to 1.
-double anchor_share(double likeness, bool is_dot, const TrackKltOptions& options) {
-  const double least = seen_again_from(is_dot, options);
-  return std::clamp((likeness - least) / (1 - least) * 2, 0.0, 1.0);
-}
-
 bool pull_to_patch(const PatchMatch& match, bool is_dot, const TrackKltOptions& options, Sighting& place) {
   const double most_px = is_dot ? 2 * options.max_anchor_px : options.max_anchor_px;
   if (!match.converged || std::hypot(match.x_px - place.x_px, match.y_px - place.y_px) > most_px) return false;
-  const double share = anchor_share(match.likeness, is_dot, options);
+  const double share = anchor_share(options, is_dot, match.likeness);
   place.x_px += share * (match.x_px - place.x_px);
   place.y_px += share * (match.y_px - place.y_px);
   return true;
 }
 
-// Of points that all are of the 18-point layout; else none.
-std::vector<double> usual_depths_px(const Landmarks& start) {
-  const auto place = [&](const char* name) {
-    const Landmark* point = find_landmark(start, name);
-    return point ? std::complex<double>(point->x_px, point->y_px) : std::complex<double>(NAN, NAN);
-  };
-  const double eyes_px = std::abs(place("eye_inner_r") - place("eye_inner_l"));
-  if (!std::isfinite(eyes_px)) return {};
-  std::vector<double> depths_px;
-  for (const Landmark& point : start.points) {
-    const double depth = usual_depth(point.name);
-    if (depth < 0) return {};
-    depths_px.push_back(depth * eyes_px);
-  }
-  return depths_px;
+// A rigid point that is farther than that from where the head has it is seen elsewhere: on a cheek, a lid, a strand.
+// How deep eyes lie differs from person to person, which counts the more the farther the head is turned.
+bool is_on_head(const Knowledge& known, std::size_t point, const Sighting& place) {
+  if (!known.bonds.head) return true;
+  constexpr double most_px = 2, depth_error = 0.25;  // the second in distances of the corners of the eyes
+  const SolidHead& head = *known.bonds.head;
+  const double turned_px = depth_error * known.eyes_px * std::hypot(head.turn[2], head.turn[5]);
+  return std::abs(known.on_head(head, point) - std::complex<double>(place.x_px, place.y_px)) <= most_px + turned_px;
 }
 
 // Where points are expected by all sightings together. No point of the lips is so sure of its place that the others
@@ -92,64 +39,6 @@ std::vector<Sighting> expect(const Knowledge& known, std::vector<Sighting> sight
 }
 
 }  // namespace
-
-Image empty_patches(std::size_t count, int side_px) {
-  Image patches{side_px * static_cast<int>(count), 2 * side_px, 1, {}};
-  patches.pixels.assign(static_cast<std::size_t>(patches.width) * static_cast<std::size_t>(patches.height), 0);
-  return patches;
-}
-
-std::vector<float> patch_of(const Image& patches, std::size_t index, int row, int side_px) {
-  std::vector<float> patch;
-  for (int y = 0; y < side_px; ++y)
-    for (int x = 0; x < side_px; ++x)
-      patch.push_back(patches.pixels[patch_offset(patches, index, row, side_px, y) + static_cast<std::size_t>(x)]);
-  return patch;
-}
-
-int side_of(const Image& patches, std::size_t index, int row, int side_px) {
-  constexpr int least_px = 9;
-  return telling_side_px(patch_of(patches, index, row, side_px), side_px, least_px);
-}
-
-void keep_patch(const Grey& grey, double x_px, double y_px, std::size_t index, int row, int side_px, Image& patches) {
-  const std::vector<float> patch = cut_patch(grey, x_px, y_px, side_px);
-  for (int y = 0; y < side_px; ++y)
-    for (int x = 0; x < side_px; ++x)
-      patches.pixels[patch_offset(patches, index, row, side_px, y) + static_cast<std::size_t>(x)] =
-          static_cast<std::uint8_t>(std::lround(patch[static_cast<std::size_t>(y * side_px + x)]));
-}
-
-std::vector<float> own_patch(const Knowledge& known, const Image& patches, std::size_t index) {
-  return middle_of(patch_of(patches, index, 0, known.side_px), known.side_px, known.sides_px[index]);
-}
-
-Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given)
-    : start(start_points),
-      options(given),
-      side_px(static_cast<int>(given.window_px)),
-      sides_px(start_points.points.size(), side_px),
-      outline(find_outline(start_points, given.outline)) {
-  bonds.stiffness = options.stiffness;
-  if (!outline.empty()) {
-    jaw_line = find_jaw_line(start, options.jaw_line);
-    mouth_px = mouth_width_px(start, outline);
-  }
-  bonds.modes = mouth_modes(start, outline, jaw_line);
-  for (std::size_t i = 0; i < start.points.size(); ++i)
-    if (std::find(options.rigid.begin(), options.rigid.end(), start.points[i].name) != options.rigid.end())
-      bonds.rigid.push_back(i);
-  bonds.depths_px = usual_depths_px(start);
-}
-
-void Knowledge::learn_sides(const Image& patches) {
-  for (std::size_t i = 0; i < sides_px.size(); ++i) sides_px[i] = side_of(patches, i, 0, side_px);
-}
-
-bool Knowledge::is_dot(std::size_t point) const {
-  const auto marks = std::count_if(outline.begin(), outline.end(), [&](std::size_t i) { return is_mark(i); });
-  return is_mark(point) && 2 * marks >= static_cast<std::ptrdiff_t>(outline.size());
-}
 
 Seen follow(const Knowledge& known, const FlowPair& flow, const Grey& before, const std::vector<Landmark>& points,
             const Leap& leapt) {
@@ -245,13 +134,22 @@ void anchor(const Knowledge& known, const Grey& now, const Image& patches, Seen&
     const bool near = pull_to_patch(match, known.is_dot(i), known.options, place);
     const auto& rigid = known.bonds.rigid;
     if (near) seen.likeness[i] = std::max(0.0, match.likeness);
-    if (known.is_dot(i) && seen.likeness[i] < seen_again_from(true, known.options))
+    if (known.is_dot(i) && seen.likeness[i] < seen_again_from(known.options, true))
       return_to_dot(known, now, patches, i, seen);
     if (std::find(rigid.begin(), rigid.end(), i) != rigid.end() &&
-        !(near && match.likeness >= known.options.min_likeness)) {
+        !(near && match.likeness >= known.options.min_likeness && is_on_head(known, i, place))) {
       forget(place);
       seen.likeness[i] = 0;
     }
+  }
+  // What is seen of the head says where its points are, with lids over the corners of the eyes, too.
+  if (!known.bonds.head) return;
+  constexpr double head_error_px = 0.7;
+  for (const std::size_t i : known.bonds.rigid) {
+    if (is_seen(seen.sightings[i])) continue;
+    const std::complex<double> place = known.on_head(*known.bonds.head, i);
+    seen.sightings[i] = sighted(place.real(), place.imag(), head_error_px);
+    seen.likeness[i] = seen.head_likeness;
   }
 }
 
@@ -307,50 +205,6 @@ Seen find_again(const Knowledge& known, const Grey& now, const Image& face, cons
   if (!there)
     for (std::size_t i = 0; i < found.sightings.size(); ++i) forget(found.sightings[i]), found.likeness[i] = 0;
   return found;
-}
-
-void fit_contours(const Knowledge& known, const Image& frame, const Grey& now, const Matrix& look,
-                  const Matrix& jaw_look, Seen& seen) {
-  // What KLT may claim on lips, which change their looks, and on even skin, along which it drifts; and a patch that
-  // looks as at the start, one that tells its place in every direction.
-  constexpr double follow_error_px = 1, skin_error_px = 2, patch_error_px = 0.2, mark_error_px = 0.1;
-  constexpr double least_likeness = 0.3;
-  std::vector<Sighting> followed = seen.sightings, unseen = seen.sightings;
-  for (const std::size_t i : known.outline) {
-    const double error_px = known.is_mark(i) ? mark_error_px : patch_error_px;
-    const double share = anchor_share(seen.likeness[i], known.is_dot(i), known.options);
-    limit(1 / std::sqrt(1 / (follow_error_px * follow_error_px) + share / (error_px * error_px)), followed[i]);
-    forget(unseen[i]);
-  }
-  for (const std::size_t i : known.jaw_line)
-    if (!known.is_mark(i)) limit(skin_error_px, followed[i]);
-  std::vector<Sighting> settled = settle(known.start, followed, known.bonds);
-  if (!known.outline.empty() && std::any_of(seen.sightings.begin(), seen.sightings.end(), is_seen)) {
-    const Landmarks rest = places_of(known.start, settle(known.start, unseen, known.bonds));
-    constexpr int rounds = 2;  // the normals of the first are of the expected shape
-    for (int round = 0; round < rounds; ++round) {
-      const Landmarks expected = places_of(known.start, settled);
-      std::vector<Sighting> both = followed;
-      const auto take = [&](const EdgeSight& edge, const std::vector<std::size_t>& points) {
-        for (std::size_t k = 0; k < points.size(); ++k) {
-          const std::size_t i = points[k];
-          // A dot that is seen knows better.
-          if (known.is_mark(i) && is_seen(seen.sightings[i]) &&
-              anchor_share(seen.likeness[i], known.is_dot(i), known.options) >= 1)
-            continue;
-          add(edge.sightings[k], both[i]);
-          if (round + 1 < rounds) continue;
-          if (edge.likeness[k] < least_likeness && !is_seen(seen.sightings[i])) forget(both[i]);
-          seen.likeness[i] = is_seen(both[i]) ? std::max(seen.likeness[i], edge.likeness[k]) : 0;
-        }
-      };
-      take(see_outline(frame, expected, rest, known.outline, look, known.options.edge_reach_px), known.outline);
-      if (!known.jaw_line.empty())
-        take(see_jaw_line(now, expected, known.jaw_line, known.outline, known.mouth_px, jaw_look), known.jaw_line);
-      settled = settle(known.start, both, known.bonds);
-    }
-  }
-  seen.sightings = std::move(settled);
 }
 
 bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& before, const Grey& now,

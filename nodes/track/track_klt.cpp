@@ -9,6 +9,7 @@
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
 #include "nodes/track/find_face.h"
+#include "nodes/track/head_motion.h"
 #include "nodes/track/jaw_line.h"
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
@@ -45,16 +46,33 @@ void check_inputs(const engine::Window<Image>& frames, const Landmarks& start, c
         prior->landmarks.points.size(), " points, start has ", start.points.size());
 }
 
+Matrix head_numbers(const HeadSight& sight) {
+  const HeadPose& pose = sight.pose;
+  return {7, 1, {pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px, sight.likeness}};
+}
+
+HeadPose pose_of(const Matrix& head) {
+  const std::vector<double>& n = head.values;
+  return {n[0], n[1], n[2], n[3], n[4], n[5]};
+}
+
 TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now) {
   TrackKltResult result;
   result.followed = result.layout = known.start;
   result.patches = empty_patches(known.start.points.size(), known.side_px);
   for (std::size_t i = 0; i < known.start.points.size(); ++i)
     keep_patch(now, known.start.points[i].x_px, known.start.points[i].y_px, i, 0, known.side_px, result.patches);
-  if (!known.outline.empty()) result.look = learn_outline(frame, known.start, known.outline);
+  if (!known.outline.empty()) {
+    result.look = learn_outline(frame, known.start, known.outline);
+    const Shrink coarse = coarse_shrink(known, frame);
+    if (!coarse.is_none())
+      result.coarse_look = learn_outline(coarse.image(frame), coarse.to_small(known.start), known.outline);
+  }
   if (!known.jaw_line.empty())
     result.jaw_look = learn_jaw_line(now, known.start, known.jaw_line, known.outline, known.mouth_px);
   result.face = learn_face(now, known.start);
+  if (!known.bonds.depths_px.empty()) result.head_look = learn_head(now, known.start);
+  if (!result.head_look.pixels.empty()) result.head = head_numbers({start_pose(known.start), 1});
   result.confidence = {known.start.points.size(), 1, std::vector<double>(known.start.points.size(), 1.0)};
   result.state = "start";
   return result;
@@ -89,6 +107,46 @@ Seen seen_before(const std::vector<Landmark>& points) {
   return seen;
 }
 
+// Finds the head near where it was. Returns where the points are when they go along with it.
+std::vector<Sighting> follow_head(Knowledge& known, const Grey& now, std::vector<Sighting> places,
+                                  TrackKltResult& result) {
+  if (result.head_look.pixels.empty()) return places;
+  constexpr double least_likeness = 0.45;
+  const HeadPose before = pose_of(result.head);
+  const HeadSight sight = find_head(now, known.start, result.head_look, before);
+  if (sight.likeness < least_likeness) return places;
+  result.head = head_numbers(sight);
+  known.bonds.head = head_at(sight.pose, known.start);
+  return go_along(known, head_at(before, known.start), *known.bonds.head, std::move(places));
+}
+
+std::vector<LipPicture> lip_pictures(const Knowledge& known, const Image& frame, const TrackKltResult& result) {
+  std::vector<LipPicture> lips;
+  if (result.coarse_look.rows > 0) {
+    const Shrink coarse = coarse_shrink(known, frame);
+    lips.push_back({coarse.image(frame), coarse, result.coarse_look});
+  }
+  lips.push_back({frame, Shrink(frame.width, frame.height, 1), result.look});
+  return lips;
+}
+
+// Of a face that was found again as large and as upright as at the start.
+void find_head_again(Knowledge& known, const Grey& now, const Seen& seen, TrackKltResult& result) {
+  if (result.head_look.pixels.empty()) return;
+  double dx_px = 0, dy_px = 0, count = 0;
+  for (std::size_t i = 0; i < seen.sightings.size(); ++i) {
+    if (!is_seen(seen.sightings[i])) continue;
+    dx_px += seen.sightings[i].x_px - known.start.points[i].x_px;
+    dy_px += seen.sightings[i].y_px - known.start.points[i].y_px;
+    ++count;
+  }
+  if (count == 0) return;
+  HeadPose pose = start_pose(known.start);
+  pose.x_px += dx_px / count, pose.y_px += dy_px / count;
+  result.head = head_numbers({pose, 0});
+  follow_head(known, now, seen.sightings, result);
+}
+
 // The points as they are without corrections.
 void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const Grey& before, const Grey& now,
              TrackKltResult& result) {
@@ -99,8 +157,10 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
   seen.likeness.assign(points.size(), 0);
   for (const Landmark& point : points) seen.sightings.push_back({point.x_px, point.y_px});
   if (was_valid && !even) {
+    const std::vector<Sighting> places = follow_head(known, now, seen.sightings, result);
     known.bonds.carried = carry_unseen(known, points, seen_before(points));
-    seen = follow(known, flow, before, points, leap(known, now, result.patches, seen.sightings));
+    seen = follow(known, flow, before, points, leap(known, now, result.patches, places));
+    if (known.bonds.head) seen.head_likeness = result.head.values.back();
     anchor(known, now, result.patches, seen);
     // A face that moves fast over a patterned ground looks like a cut, but is followed.
     const auto kept = std::count_if(seen.sightings.begin(), seen.sightings.end(), is_seen);
@@ -108,8 +168,12 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
     if (!cut) known.bonds.carried = carry_unseen(known, points, seen);
     if (!cut) recover(known, now, result.patches, known.options.search_px, seen);
   }
-  if ((!was_valid || cut) && !even) seen = find_again(known, now, result.face, result.patches);
-  fit_contours(known, frame, now, result.look, result.jaw_look, seen);
+  if ((!was_valid || cut) && !even) {
+    known.bonds.head.reset();
+    seen = find_again(known, now, result.face, result.patches);
+    find_head_again(known, now, seen, result);
+  }
+  fit_contours(known, lip_pictures(known, frame, result), now, result.jaw_look, seen);
   std::size_t valid = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Sighting& place = seen.sightings[i];
@@ -117,7 +181,7 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
     valid += points[i].valid ? 1 : 0;
     result.confidence.at(i, 0) = points[i].valid ? seen.likeness[i] : 0;
   }
-  result.valid = points.empty() || (3 * valid >= points.size() && !even);
+  result.valid = points.empty() || ((3 * valid >= points.size() || known.bonds.head) && !even);
   result.return_error_px = seen.return_error_px;
   result.state = even ? "even" : cut ? "cut" : !result.valid ? "lost" : was_valid ? "followed" : "found";
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -211,6 +275,10 @@ TrackKltResult track_small(const engine::Window<Image>& frames, const Landmarks&
   const auto each = [](TrackKltResult result, const auto& turn) {
     for (Landmarks* points : {&result.landmarks, &result.followed, &result.put_right, &result.layout})
       *points = turn(std::move(*points));
+    if (result.head.rows > 0) {
+      const Landmarks place = turn(Landmarks{{{"head", result.head.at(4, 0), result.head.at(5, 0)}}});
+      result.head.at(4, 0) = place.points[0].x_px, result.head.at(5, 0) = place.points[0].y_px;
+    }
     return result;
   };
   const auto to_small = [&](Landmarks points) { return shrink.to_small(std::move(points)); };

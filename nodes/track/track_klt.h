@@ -39,13 +39,18 @@ struct TrackKltResult {
   Landmarks put_right;  // the points that corrections placed, in this or an earlier frame, where they are now; by name
   Landmarks layout;     // the start points with what corrections said: how the points lie to each other at rest
   Matrix look;          // what the edge of the lips looks like (outline.h); 0 x 0 without an outline
+  Matrix coarse_look;   // the same in a smaller picture, where a wide mouth is looked for first; else 0 x 0
   Matrix jaw_look;      // what the contour of the chin looks like (jaw_line.h); 0 x 0 without one
   Image patches;        // grey; every point's patch at the start, and below where a correction placed it; side by side
   Image face;           // grey, small; what is looked for when everything was lost
-  Matrix confidence;    // points x 1; 0 = lost, 1 = looks as where it was placed
-  std::string state;    // start, followed, found (again), cut (another picture than before), even (black, white), lost
-  bool valid = true;    // at least a third of the points is seen
-  double lost = 0;      // points that are not valid in this frame
+  Image head_look;  // grey; what is between brows and nose at the start (head_motion.h); empty where that is unknown
+  // The head's pose since the start, 7 x 1: nod, turn, tilt (rad), logarithm of the scale, where the middle between the
+  // eyes is (x and y, px), and how alike the head is (1 = the same); 0 x 0 without head_look.
+  Matrix head;
+  Matrix confidence;  // points x 1; 0 = lost, 1 = looks as where it was placed
+  std::string state;  // start, followed, found (again), cut (another picture than before), even (black, white), lost
+  bool valid = true;  // at least a third of the points is seen
+  double lost = 0;    // points that are not valid in this frame
   double return_error_px = 0;  // largest there-and-back error of the points that were kept
   double shrunk = 1;           // how many pixels of the picture are one of that in which points were followed
 };
