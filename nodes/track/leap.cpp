@@ -47,7 +47,7 @@ Leap leap(const Knowledge& known, const Grey& now, const Image& patches, std::ve
     }
     return seen.size();
   };
-  const double reach_px = known.options.search_px, most_px = 0.5 * known.mouth_px;
+  const double reach_px = std::max(1.0, known.options.search_px), most_px = 0.5 * known.mouth_px;
   double best_step = 0;
   std::size_t best = seen_at(0, reach_px);
   for (double far_px = reach_px; far_px <= most_px && best < marks.size(); far_px += reach_px)

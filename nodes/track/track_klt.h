@@ -64,9 +64,13 @@ struct TrackKltResult {
 // is, by the patch that it had at the start. Differs from plain KLT: three rigid points carry the layout of all; points
 // are kept together by springs and the shapes of a mouth (settle.h, mouth_shape.h); against drift a point whose own
 // patch is seen again near its place goes there, and the points of the outline go to the edge of the lips (outline.h),
-// those of the jaw line to the contour of the chin (jaw_line.h). Three rigid points are a pose of an average head where
-// all points are of the 18-point layout, so that a turn of the head does not turn the layout (solid_head.h). A rigid
-// point is valid only while its own patch is seen: the corner of an eye would follow the closing lid otherwise.
+// those of the jaw line to the contour of the chin (jaw_line.h).
+//
+// Where all points are of the 18-point layout, the head is followed as a whole by what is seen between brows and nose
+// (head_motion.h): its pose carries the layout, says where points are looked for, and holds rigid points whose own
+// patches are not seen, from the side or under a lid. Where it is not seen, three rigid points are a pose of an average
+// head (solid_head.h), and each of them is valid only while its own patch is seen: the corner of an eye would follow
+// the closing lid otherwise.
 //
 // Patches and reaches are made for mouths of 30 to 90 px: a patch of 15 px in a close-up holds nothing that tells its
 // place, in a small picture half the mouth. Where the mouth at the start is wider or narrower, all this happens in a
@@ -74,8 +78,8 @@ struct TrackKltResult {
 //
 // A point that is not valid goes with the others to where they say that it is, within the picture; where nothing is
 // seen it keeps its place. Rigid points that are not seen go with those that are, so that a blink does not leave the
-// turn of the head to the tip of the nose. A frame without contrast, after a cut, or in which fewer than a third of the
-// points are seen is not valid, until the face is found again, as large and as upright as at the start.
+// turn of the head to the tip of the nose. A frame without contrast, after a cut, or in which neither the head nor a
+// third of the points are seen is not valid, until the face is found again, as large and as upright as at the start.
 //
 // A correction replaces a point from its frame to the next correction of the same point: it is followed from there,
 // with the patch that it has there, between the other points as they are without corrections. So a correction changes

@@ -133,7 +133,9 @@ const Registered track({
     .settings = {{"track.find_rest", {{{"still_share", 1.0}, {"to_share", 1.0}}}},
                  {"track.klt",
                   {{{"largest_mouth_px", 20.0}, {"smallest_mouth_px", 5.0}, {"tracked_mouth_px", 16.0}},
-                   {{"smallest_mouth_px", 5.0}, {"tracked_mouth_px", 16.0}}}}},
+                   {{"smallest_mouth_px", 5.0}, {"tracked_mouth_px", 16.0}},
+                   {{"min_likeness", 0.99}},            // points go to edges, not to their patches
+                   {{"max_return_error_px", 0.01}}}}},  // points are lost and looked for
 });
 
 }  // namespace
