@@ -75,10 +75,7 @@ double left_mm(const std::vector<Pairs>& frames, double x, double y) {
   return std::sqrt(squares / static_cast<double>(frames.size())) / std::cbrt(x * y);
 }
 
-std::string rounded(double value) {
-  std::string text = std::to_string(std::round(100 * value) / 100);
-  return text.substr(0, text.find('.') + 3);
-}
+double rounded(double value) { return std::round(100 * value) / 100; }
 
 }  // namespace
 
@@ -133,9 +130,10 @@ CheckCameraResult check_camera(const engine::Seq<DepthScan>& scans, const engine
   const bool other = std::max(off_x, off_y) >= wrong_stretch;
   result.plausible = !(result.told && other && result.rms_mm >= wrong_ratio * result.best_rms_mm);
   if (!result.plausible) {
-    result.report = "the head's turns say that focal lengths are wrong: fx " + rounded(result.stretch_x) + " and fy " +
-                    rounded(result.stretch_y) + " times what they are; markers stay " + rounded(result.rms_mm) +
-                    " mm from a rigid head's, with other focal lengths " + rounded(result.best_rms_mm) + " mm";
+    result.report =
+        message("the head's turns say that focal lengths are wrong: fx ", rounded(result.stretch_x), " and fy ",
+                rounded(result.stretch_y), " times what they are; markers stay ", rounded(result.rms_mm),
+                " mm from a rigid head's, with other focal lengths ", rounded(result.best_rms_mm), " mm");
     progress.warn(result.report);
   } else if (result.told && !other) {
     result.report = "the head's turns agree with fx and fy";

@@ -103,12 +103,6 @@ std::vector<std::vector<double>> modes_of(const Points& points) {
   return modes;
 }
 
-Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;
-  return points;
-}
-
 // Where the lips part, "61" to "63" and "65" to "67".
 Landmarks parting(const Image& image, const Points& points, const Landmarks& places) {
   Landmarks lips;
@@ -149,7 +143,7 @@ struct Mouth {
   std::vector<Sighting> settle(const std::vector<Sighting>& sightings) const {
     return track::settle(points.start, sightings, bonds);
   }
-  Landmarks at(const std::vector<Sighting>& places) const { return places_of(points.start, places); }
+  Landmarks at(const std::vector<Sighting>& places) const { return track::places_of(points.start, places); }
   // Where the head alone would put the points.
   Landmarks rest(std::vector<Sighting> sightings) const {
     for (std::size_t i = 0; i < sightings.size(); ++i)
@@ -167,7 +161,7 @@ std::vector<Sighting> follow(const Mouth& mouth, const track::Grey& grey, double
   for (const std::size_t i : mouth.points.chin)
     track::add_information(grey, side_px, followed[i]), limit(skin_error_px, followed[i]);
   for (const std::size_t i : mouth.points.rigid)
-    followed[i].xx = followed[i].yy = 1 / (rigid_error_px * rigid_error_px);
+    followed[i] = track::sighted(followed[i].x_px, followed[i].y_px, rigid_error_px);
   return followed;
 }
 

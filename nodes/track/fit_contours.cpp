@@ -12,12 +12,6 @@
 namespace face::track {
 namespace {
 
-Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;
-  return points;
-}
-
 double mean_likeness_below(const EdgeSight& edge) {
   const std::size_t half = edge.likeness.size() / 2;
   const auto first = edge.likeness.begin() + static_cast<std::ptrdiff_t>(half) + 1;

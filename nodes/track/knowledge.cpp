@@ -17,7 +17,7 @@ std::size_t patch_offset(const Image& patches, std::size_t index, int row, int s
 
 double eye_distance_px(const Landmarks& start) {
   const Landmark *right = find_landmark(start, "eye_inner_r"), *left = find_landmark(start, "eye_inner_l");
-  return right && left ? std::hypot(right->x_px - left->x_px, right->y_px - left->y_px) : 0;
+  return right && left ? distance_px(*right, *left) : 0;
 }
 
 // Of points that all are of the 18-point layout; else none.

@@ -236,6 +236,13 @@ Matrix learn_outline(const Image& image, const Landmarks& points, const std::vec
       }
       look.at(i + 1, s) = value;
     }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % half == 0) continue;
+    std::vector<double> profile;
+    for (std::size_t s = 0; s < samples; ++s) profile.push_back(look.at(i + 1, s));
+    profile = or_usual(std::move(profile));
+    for (std::size_t s = 0; s < samples; ++s) look.at(i + 1, s) = profile[s];
+  }
   for (const std::size_t i : {std::size_t{0}, half})
     look.at(0, i == 0 ? 4 : 5) = seam_offset_px(colours, edge.place[i], edge.normal[i], edge.along[i]);
   return look;
@@ -255,7 +262,6 @@ EdgeSight see_outline(const Image& image, const Landmarks& expected, const Landm
     const Landmark& at_rest = rest.points[outline[i]];
     const double rest_px = (Vector2(at_rest.x_px, at_rest.y_px) - place).dot(normal);
     const bool corner = i % half == 0;
-    if (!corner) wanted = or_usual(std::move(wanted));
     const Belief& belief = corner ? on_corner : on_lip;
     const int far = corner ? 2 * reach : reach;
     const Fit fit = fit_profile(wanted,

@@ -6,6 +6,12 @@
 
 namespace face::track {
 
+Landmarks places_of(Landmarks points, const std::vector<Sighting>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    points.points[i].x_px = places[i].x_px, points.points[i].y_px = places[i].y_px;
+  return points;
+}
+
 void add(const Sighting& more, Sighting& place) {
   const double xx = place.xx + more.xx, xy = place.xy + more.xy, yy = place.yy + more.yy, det = xx * yy - xy * xy;
   if (det <= 1e-12) {

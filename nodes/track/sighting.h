@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <vector>
+
+#include "nodes/types/landmarks.h"
 
 namespace face::track {
 
@@ -17,6 +20,9 @@ inline void forget(Sighting& place) { place.xx = place.xy = place.yy = 0; }
 inline Sighting sighted(double x_px, double y_px, double error_px) {
   return {x_px, y_px, 1 / (error_px * error_px), 0, 1 / (error_px * error_px)};
 }
+
+// The points at these places, one for each.
+Landmarks places_of(Landmarks points, const std::vector<Sighting>& places);
 
 // Adds one sighting to another: both are true within their errors.
 void add(const Sighting& more, Sighting& place);

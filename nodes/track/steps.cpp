@@ -213,8 +213,7 @@ bool follow_corrected(const Knowledge& known, const FlowPair& flow, const Grey& 
   constexpr double other_error_px = 0.1, follow_error_px = 1;
   std::vector<Sighting> places;
   for (const Landmark& other : others.points) {
-    places.push_back({other.x_px, other.y_px});
-    if (other.valid) places.back().xx = places.back().yy = 1 / (other_error_px * other_error_px);
+    places.push_back(other.valid ? sighted(other.x_px, other.y_px, other_error_px) : Sighting{other.x_px, other.y_px});
   }
   forget(places[index]);
   const Sighting expected = settle(layout, places, known.bonds)[index];

@@ -95,7 +95,7 @@ Seen find_again(const Knowledge& known, const Grey& now, const Image& face, cons
 
 // A picture in which the edge of the lips is sought, by what it looked like in such a picture at the start.
 struct LipPicture {
-  Image image;
+  const Image& image;
   Shrink shrink;  // of the frame
   const Matrix& look;
 

@@ -92,8 +92,7 @@ std::vector<Sighting> carry_unseen(const Knowledge& known, const std::vector<Lan
   constexpr double error_px = 2;
   std::vector<Sighting> carried(before.size());
   for (const std::size_t i : known.bonds.rigid) {
-    carried[i] = {before[i].x_px + dx_px / count, before[i].y_px + dy_px / count};
-    carried[i].xx = carried[i].yy = 1 / (error_px * error_px);
+    carried[i] = sighted(before[i].x_px + dx_px / count, before[i].y_px + dy_px / count, error_px);
   }
   return carried;
 }
@@ -118,16 +117,6 @@ std::vector<Sighting> follow_head(Knowledge& known, const Grey& now, std::vector
   result.head = head_numbers(sight);
   known.bonds.head = head_at(sight.pose, known.start);
   return go_along(known, head_at(before, known.start), *known.bonds.head, std::move(places));
-}
-
-std::vector<LipPicture> lip_pictures(const Knowledge& known, const Image& frame, const TrackKltResult& result) {
-  std::vector<LipPicture> lips;
-  if (result.coarse_look.rows > 0) {
-    const Shrink coarse = coarse_shrink(known, frame);
-    lips.push_back({coarse.image(frame), coarse, result.coarse_look});
-  }
-  lips.push_back({frame, Shrink(frame.width, frame.height, 1), result.look});
-  return lips;
 }
 
 // Of a face that was found again as large and as upright as at the start.
@@ -173,7 +162,12 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
     seen = find_again(known, now, result.face, result.patches);
     find_head_again(known, now, seen, result);
   }
-  fit_contours(known, lip_pictures(known, frame, result), now, result.jaw_look, seen);
+  const Shrink coarse = coarse_shrink(known, frame);
+  const Image small = result.coarse_look.rows > 0 ? coarse.image(frame) : Image{};
+  std::vector<LipPicture> lips;
+  if (result.coarse_look.rows > 0) lips.push_back({small, coarse, result.coarse_look});
+  lips.push_back({frame, Shrink(frame.width, frame.height, 1), result.look});
+  fit_contours(known, lips, now, result.jaw_look, seen);
   std::size_t valid = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Sighting& place = seen.sightings[i];
