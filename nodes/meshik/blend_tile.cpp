@@ -24,7 +24,7 @@ void series(const Lanes& s, Lanes& sine, Lanes& cosine) {
 }  // namespace
 
 void blend_tile(const MeshSpace& space, std::size_t tile, const double* weights, BlendTile& blend) {
-  const auto examples = static_cast<std::size_t>(space.example_count);
+  const auto examples = tile < moving_tile_count(space) ? static_cast<std::size_t>(space.example_count) : 0;
   const double* q = &space.frames[tile * 6 * n];
   const double* parts = space.blends.data() + tile * examples * 9 * n;
   const auto lanes = [](const double* from) -> const Lanes& { return *reinterpret_cast<const Lanes*>(from); };

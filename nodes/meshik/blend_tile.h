@@ -15,6 +15,12 @@ inline std::size_t tile_count(const MeshSpace& space) {
   return (space.triangles.size() / 3 + tile_lanes - 1) / tile_lanes;
 }
 
+// Tiles with a triangle that some example changes come first; `blends` has these alone.
+inline std::size_t moving_tile_count(const MeshSpace& space) {
+  const std::size_t numbers = 9 * tile_lanes * static_cast<std::size_t>(space.example_count);
+  return numbers == 0 ? 0 : space.blends.size() / numbers;
+}
+
 // Gradient of each vertex's hat function (1 there, 0 at the other two) along the triangle's two unit vectors, 1/mm.
 struct HatGradients {
   double along[3][2];

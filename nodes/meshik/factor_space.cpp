@@ -2,6 +2,7 @@
 #include "nodes/meshik/factor_space.h"
 
 #include <Eigen/Sparse>
+#include <algorithm>
 
 #include "nodes/base/check.h"
 #include "nodes/meshik/blend_tile.h"
@@ -26,7 +27,8 @@ void check_space(const MeshSpace& space) {
     parts = part + std::size_t{1} > parts ? part + std::size_t{1} : parts;
   bool fits = space.triangles.size() % 3 == 0 && space.frames.size() == 6 * numbers &&
               space.gradients.size() == 4 * numbers && space.component.size() == vertices &&
-              space.order.size() == vertices && space.blends.size() == 9 * numbers * space.example_count &&
+              space.order.size() == vertices && moving_tile_count(space) <= tile_count(space) &&
+              space.blends.size() == 9 * tile_lanes * moving_tile_count(space) * space.example_count &&
               space.centroids_mm.size() == 3 * parts * (1 + space.example_count) && !space.column_starts.empty() &&
               space.rows.size() == space.values.size() && space.column_starts.back() == space.values.size();
   for (const std::uint32_t v : space.triangles) fits = fits && v < vertices;
@@ -115,6 +117,7 @@ void solve_lower_wide(const MeshSpace& space, float* x, std::size_t width) {
     std::uint32_t p = space.column_starts[j];
     const std::uint32_t end = space.column_starts[j + 1];
     Eight* const pivot = reinterpret_cast<Eight*>(x + j * width);
+    if (std::all_of(x + j * width, x + (j + 1) * width, [](float value) { return value == 0; })) continue;
     const auto scale = static_cast<float>(space.values[p]);
     for (std::size_t i = 0; i < lanes; ++i) pivot[i] *= scale;
     for (++p; p < end; ++p) {

@@ -22,7 +22,7 @@ void solve_lower(const MeshSpace& space, double* x);      // L x = b
 void solve_transpose(const MeshSpace& space, double* x);  // L' x = b
 
 // The same for many right-hand sides in single precision, for the Hessian: x: free_count x width, width a multiple of
-// 8.
+// 8. Quick where most of x is 0.
 void solve_lower_wide(const MeshSpace& space, float* x, std::size_t width);
 
 }  // namespace face::meshik

@@ -2,7 +2,9 @@
 #include "nodes/meshik/prepare.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "nodes/base/check.h"
 #include "nodes/meshik/blend_tile.h"
@@ -48,9 +50,36 @@ void add_frame(const Points& reference, const std::uint32_t* triangle, std::size
   for (std::size_t c = 0; c < 4; ++c) space.gradients[(tile * 4 + c) * tile_lanes + lane] = g[c];
 }
 
-void add_example(const Points& reference, const Points& example, std::size_t k, MeshSpace& space) {
+// Whether a pose changes the triangle's edges by more than rounding.
+bool is_moved(const Points& reference, const Points& pose, const std::uint32_t* triangle) {
+  constexpr double rounding = 1e-12;
+  for (const int c : {1, 2}) {
+    const Vector3d edge = point(reference, triangle[c]) - point(reference, triangle[0]);
+    const Vector3d moved = point(pose, triangle[c]) - point(pose, triangle[0]);
+    if ((moved - edge).norm() > rounding * edge.norm()) return true;
+  }
+  return false;
+}
+
+// Brings those that some example moves to the front, and returns how many these are.
+std::size_t part_moving(const Points& reference, const std::vector<Points>& examples,
+                        std::vector<std::uint32_t>& triangles) {
+  std::vector<std::uint32_t> moving, still;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const bool moves = std::any_of(examples.begin(), examples.end(),
+                                   [&](const Points& example) { return is_moved(reference, example, &triangles[i]); });
+    std::vector<std::uint32_t>& side = moves ? moving : still;
+    side.insert(side.end(), &triangles[i], &triangles[i] + 3);
+  }
+  const std::size_t count = moving.size() / 3;
+  moving.insert(moving.end(), still.begin(), still.end());
+  triangles = std::move(moving);
+  return count;
+}
+
+void add_example(const Points& reference, const Points& example, std::size_t k, std::size_t moving, MeshSpace& space) {
   const auto examples = static_cast<std::size_t>(space.example_count);
-  for (std::size_t j = 0; j < space.triangles.size() / 3; ++j) {
+  for (std::size_t j = 0; j < moving; ++j) {
     const std::uint32_t* triangle = &space.triangles[3 * j];
     const PolarParts parts =
         polar_parts(deformation_gradient(corners(reference, triangle), corners(example, triangle)));
@@ -106,13 +135,13 @@ MeshSpace prepare_triangles(const std::vector<double>& reference_mm, const std::
     if (e1.cross(e2).norm() > thinnest * e1.norm() * e2.norm())
       space.triangles.insert(space.triangles.end(), {triangles[i], triangles[i + 1], triangles[i + 2]});
   }
-  const std::size_t tiles = tile_count(space);
+  const std::size_t tiles = tile_count(space), moving = part_moving(reference_mm, examples_mm, space.triangles);
   space.frames.assign(tiles * 6 * tile_lanes, 0.0);
   space.gradients.assign(tiles * 4 * tile_lanes, 0.0);
-  space.blends.assign(tiles * examples_mm.size() * 9 * tile_lanes, 0.0);
+  space.blends.assign((moving + tile_lanes - 1) / tile_lanes * examples_mm.size() * 9 * tile_lanes, 0.0);
   for (std::size_t j = 0; j < space.triangles.size() / 3; ++j)
     add_frame(reference_mm, &space.triangles[3 * j], j, space);
-  for (std::size_t k = 0; k < examples_mm.size(); ++k) add_example(reference_mm, examples_mm[k], k, space);
+  for (std::size_t k = 0; k < examples_mm.size(); ++k) add_example(reference_mm, examples_mm[k], k, moving, space);
 
   space.component = connected_parts(reference_mm.size() / 3, space.triangles);
   std::size_t parts = 0;

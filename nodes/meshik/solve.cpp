@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "nodes/base/check.h"
@@ -47,11 +48,24 @@ double residual_of(const MeshSpace& space, std::size_t tile, const BlendTile& bl
 
 struct MeshIkSolver::State {
   State(const MeshSpace& s, const VertexTargets& targets, double give)
-      : space(s), give_mm2(give), constraints(s, targets, give) {}
+      : space(s), give_mm2(give), constraints(s, targets, give), still_sums(4 * (free_count(s) + 1), 0.0) {
+    BlendTile blend;
+    for (std::size_t tile = moving_tile_count(space); tile < tile_count(space); ++tile) {
+      blend_tile(space, tile, nullptr, blend);
+      add_gradients(space, tile, blend.blended, still_sums.data());
+    }
+  }
 
   const MeshSpace& space;
   const double give_mm2;
   ConstraintSolver constraints;
+  std::vector<double> still_sums;  // of the triangles that no example changes
+
+  // Megabytes that are used again from step to step.
+  struct Room {
+    std::vector<BlendTile> tiles;  // the moving ones
+    std::vector<double> sums;
+  };
 
   void check_same(const VertexTargets& targets) const {
     bool same = targets.targets.size() == constraints.vertices().size();
@@ -77,16 +91,16 @@ struct MeshIkSolver::State {
     return sum;
   }
 
-  // tiles: room, megabytes of it, to be used again.
   double evaluate(const VertexTargets& targets, const std::vector<double>& weights, std::vector<double>& vertices,
-                  std::vector<double>* gradient, std::vector<BlendTile>& tiles) const {
-    std::vector<double> sums(4 * (free_count(space) + 1), 0.0);
-    tiles.resize(tile_count(space));
+                  std::vector<double>* gradient, Room& room) const {
+    std::vector<BlendTile>& tiles = room.tiles;
+    room.sums = still_sums;
+    tiles.resize(moving_tile_count(space));
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
       blend_tile(space, tile, weights.data(), tiles[tile]);
-      add_gradients(space, tile, tiles[tile].blended, sums.data());
+      add_gradients(space, tile, tiles[tile].blended, room.sums.data());
     }
-    vertices = constraints.solve(sums, targets, weights);
+    vertices = constraints.solve(room.sums, targets, weights);
     if (gradient) gradient->assign(weights.size(), 0.0);
     double energy = give_mm2 > 0 ? missed_mm2(targets, vertices) / give_mm2 : 0, residual[2][3][tile_lanes];
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
@@ -94,49 +108,72 @@ struct MeshIkSolver::State {
       // dE/da = -2 J'r: the vertices are at their best, so that their own change does not count.
       if (gradient) add_blend_gradient(space, tile, tiles[tile], residual, gradient->data());
     }
+    BlendTile still;
+    for (std::size_t tile = tiles.size(); tile < tile_count(space); ++tile) {
+      blend_tile(space, tile, nullptr, still);
+      energy += residual_of(space, tile, still, vertices, residual);
+    }
     if (gradient)
       for (double& value : *gradient) value *= -2;
     return energy;
   }
 
+  // J of a block of moving tiles, for each axis: two rows a triangle, `width` columns.
+  struct Derivatives {
+    static constexpr std::size_t tiles = 16;
+    std::array<std::vector<float>, 3> rows;
+
+    // Returns how many triangles these are.
+    std::size_t fill(const MeshSpace& space, std::size_t first, const std::vector<double>& weights, std::size_t width) {
+      const std::size_t end = std::min(first + tiles, moving_tile_count(space));
+      for (std::vector<float>& part : rows) part.assign((end - first) * tile_lanes * 2 * width, 0.0f);
+      BlendTile blend;
+      double derivative[2][3][tile_lanes];
+      for (std::size_t tile = first; tile < end; ++tile) {
+        blend_tile(space, tile, weights.data(), blend);
+        for (std::size_t k = 0; k < weights.size(); ++k) {
+          blend_derivative(space, tile, k, blend, derivative);
+          for (std::size_t d = 0; d < 3; ++d) {
+            float* const to = &rows[d][(tile - first) * tile_lanes * 2 * width + k];
+            for (std::size_t l = 0; l < tile_lanes; ++l)
+              for (std::size_t q = 0; q < 2; ++q) to[(2 * l + q) * width] = static_cast<float>(derivative[q][d][l]);
+          }
+        }
+      }
+      return std::min(end * tile_lanes, space.triangles.size() / 3) - first * tile_lanes;
+    }
+  };
+
   // Half the second derivative of the energy, without the curvature of M (Gauss-Newton), in single precision: it only
   // steers.
   Eigen::MatrixXd hessian(const std::vector<double>& weights) const {
     const std::size_t examples = weights.size(), width = (examples + 7) / 8 * 8, count = free_count(space);
-    const std::size_t tiles = tile_count(space), triangles = space.triangles.size() / 3;
     FloatMatrix hessian = FloatMatrix::Zero(index(width), index(width));
-    std::vector<float> derivative(tiles * tile_lanes * 2 * width), sums((count + 1) * width);
-    std::vector<double> one(2 * 3 * tile_lanes);
-    std::vector<std::vector<float>> all(3, derivative);
-    BlendTile blend;
-    double part[2][3][tile_lanes];
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
-      blend_tile(space, tile, weights.data(), blend);
-      const std::size_t lanes = std::min(tile_lanes, triangles - tile * tile_lanes);
-      for (std::size_t k = 0; k < examples; ++k) {
-        blend_derivative(space, tile, k, blend, part);
-        for (std::size_t d = 0; d < 3; ++d)
-          for (std::size_t l = 0; l < lanes; ++l)
-            for (std::size_t q = 0; q < 2; ++q)
-              all[d][((tile * tile_lanes + l) * 2 + q) * width + k] = static_cast<float>(part[q][d][l]);
+    // B = G'J of each axis.
+    std::array<std::vector<float>, 3> sums;
+    for (std::vector<float>& part : sums) part.assign((count + 1) * width, 0.0f);
+    Derivatives block;
+    for (std::size_t first = 0; first < moving_tile_count(space); first += Derivatives::tiles) {
+      const std::size_t triangles = block.fill(space, first, weights, width);
+      for (std::size_t d = 0; d < 3; ++d) {
+        const Eigen::Map<const FloatMatrix> j(block.rows[d].data(), index(2 * triangles), index(width));
+        hessian.selfadjointView<Eigen::Lower>().rankUpdate(j.transpose());
+        for (std::size_t i = 0; i < triangles; ++i) {
+          const std::size_t t = first * tile_lanes + i;
+          const HatGradients g = hat_gradients(space, t);
+          const float* const row = &block.rows[d][i * 2 * width];
+          for (std::size_t c = 0; c < 3; ++c) {
+            float* const sum = &sums[d][std::min<std::size_t>(space.order[space.triangles[3 * t + c]], count) * width];
+            const auto a = static_cast<float>(g.along[c][0]), b = static_cast<float>(g.along[c][1]);
+            for (std::size_t k = 0; k < width; ++k) sum[k] += a * row[k] + b * row[width + k];
+          }
+        }
       }
     }
     for (std::size_t d = 0; d < 3; ++d) {
-      const Eigen::Map<const FloatMatrix> j(all[d].data(), index(2 * triangles), index(width));
-      hessian.selfadjointView<Eigen::Lower>().rankUpdate(j.transpose());
-      // B = G'J, Z = L^-1 B.
-      std::fill(sums.begin(), sums.end(), 0.0f);
-      for (std::size_t t = 0; t < triangles; ++t) {
-        const HatGradients g = hat_gradients(space, t);
-        const float* first = &all[d][t * 2 * width];
-        for (std::size_t c = 0; c < 3; ++c) {
-          float* row = &sums[std::min<std::size_t>(space.order[space.triangles[3 * t + c]], count) * width];
-          const auto a = static_cast<float>(g.along[c][0]), b = static_cast<float>(g.along[c][1]);
-          for (std::size_t k = 0; k < width; ++k) row[k] += a * first[k] + b * first[width + k];
-        }
-      }
-      solve_lower_wide(space, sums.data(), width);
-      const Eigen::Map<const FloatMatrix> z(sums.data(), index(count), index(width));
+      // Z = L^-1 B.
+      solve_lower_wide(space, sums[d].data(), width);
+      const Eigen::Map<const FloatMatrix> z(sums[d].data(), index(count), index(width));
       hessian.selfadjointView<Eigen::Lower>().rankUpdate(z.transpose(), -1.0f);
       // What the constraints take from the vertices' freedom.
       const AxisConstraints& axis = constraints.axis(d);
@@ -162,8 +199,8 @@ double MeshIkSolver::energy(const VertexTargets& targets, const std::vector<doub
                             std::vector<double>* gradient) const {
   state_->check_same(targets);
   std::vector<double> vertices;
-  std::vector<BlendTile> tiles;
-  return state_->evaluate(targets, weights, vertices, gradient, tiles);
+  State::Room room;
+  return state_->evaluate(targets, weights, vertices, gradient, room);
 }
 
 VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const std::vector<double>& start,
@@ -176,8 +213,8 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
   VertexSolution best;
   best.weights = start;
   std::vector<double> gradient;
-  std::vector<BlendTile> tiles;
-  best.energy = state_->evaluate(targets, best.weights, best.vertices_mm, &gradient, tiles);
+  State::Room room;
+  best.energy = state_->evaluate(targets, best.weights, best.vertices_mm, &gradient, room);
   best.converged = count == 0;
   const auto with_restraint = [&](double energy, const std::vector<double>& weights) {
     for (const double weight : weights) energy += restraint * weight * weight;
@@ -209,7 +246,7 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
     if (!std::isfinite(length)) break;
     std::vector<double> weights = best.weights, vertices, next_gradient;
     for (std::size_t k = 0; k < count; ++k) weights[k] += step[index(k)];
-    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient, tiles);
+    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient, room);
     const double before = with_restraint(best.energy, best.weights), after = with_restraint(energy, weights);
     // Rounding may raise an energy that is at its least.
     if (after > before * (1 + 1e-10) + 1e-18) {

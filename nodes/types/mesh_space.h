@@ -11,10 +11,10 @@ namespace face {
 struct MeshSpace {
   std::uint64_t vertex_count = 0;
   std::uint64_t example_count = 0;
-  std::vector<std::uint32_t> triangles;  // 3 F, those whose area is not 0
+  std::vector<std::uint32_t> triangles;  // 3 F, those whose area is not 0; first those that an example changes
   std::vector<double> frames;            // 6 x F: two unit vectors that span every triangle of the reference
   std::vector<double> gradients;         // 4 x F: of vertices 1 and 2's hat functions along them
-  std::vector<double> blends;            // K x 9 x F: rotation vector, (stretch - I) times each of the two vectors
+  std::vector<double> blends;            // K x 9 x those: rotation vector, (stretch - I) times each of the two vectors
 
   std::vector<std::uint32_t> component;  // V: connected part of every vertex
   std::vector<double> centroids_mm;      // (K + 1) x C x 3: of the reference, then of the examples minus it

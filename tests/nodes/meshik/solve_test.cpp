@@ -137,6 +137,34 @@ TEST(Solve, HasTheGradientThatDifferencesHave) { expect_the_gradient_of_differen
 
 TEST(Solve, HasTheGradientThatDifferencesHaveAlsoWithTargetsThatGiveWay) { expect_the_gradient_of_differences(20); }
 
+// What is left of the middle stays at rest, or nearly so: then no triangle is left out.
+test::BentSheet half_still(double nudge_mm) {
+  test::BentSheet sheet = test::bent_sheet(15, 13, 4);
+  for (std::vector<double>& pose : sheet.examples_mm)
+    for (std::size_t i = 0; i < pose.size(); i += 3)
+      if (sheet.reference_mm[i] <= 0)
+        for (std::size_t d = 0; d < 3; ++d)
+          pose[i + d] = sheet.reference_mm[i + d] + nudge_mm * std::sin(static_cast<double>(2 * i + d));
+  return sheet;
+}
+
+TEST(Solve, TrianglesThatNoExampleMovesAreNotBlendedAndCount) {
+  const auto space_of = [](const test::BentSheet& sheet) {
+    return prepare_triangles(sheet.reference_mm, sheet.triangles, sheet.examples_mm);
+  };
+  const MeshSpace still = space_of(half_still(0)), all = space_of(half_still(1e-7));
+  EXPECT_LT(moving_tile_count(still), tile_count(still) * 6 / 10);
+  EXPECT_EQ(moving_tile_count(all), tile_count(all));
+  const VertexTargets targets = targets_of(reconstruct_vertices(all, {0.5, 0.1, 0.3, 0.4}), 9, 1.02);
+  const auto solve = [&](const MeshSpace& space) {
+    return MeshIkSolver(space, targets).solve_vertices(targets, std::vector<double>(4, 0.0), exact());
+  };
+  const VertexSolution quick = solve(still), whole = solve(all);
+  EXPECT_LT(largest_difference(quick.weights, whole.weights), 1e-5);
+  EXPECT_LT(largest_difference(quick.vertices_mm, whole.vertices_mm), 1e-4);
+  EXPECT_NEAR(quick.energy, whole.energy, 1e-5 * whole.energy);
+}
+
 TEST(BlendJacobian, IsWhatDifferencesAre) {
   const MeshSpace space = space_of(3);
   for (const double scale : {0.0, 1e-4, 0.7, 6.0}) {  // up to turns that leave the series
