@@ -28,7 +28,8 @@ double grey_at(const Image& picture, double x, double y) {
 }
 
 // Triangles whose surface is hidden: most of those about them keep less than a share of the area that they have in the
-// reference's picture, or are turned over.
+// reference's picture, or are turned over. And those beside them: a pixel sees an area, so that the edge of what hides
+// has in the reference some of the colour of what it hides in the frame.
 std::vector<bool> hidden_triangles(const std::vector<render::Triangle>& triangles, const Mesh& mesh,
                                    const Image& picture, const std::vector<render::ScreenPoint>& screen,
                                    double least_area) {
@@ -56,8 +57,11 @@ std::vector<bool> hidden_triangles(const std::vector<render::Triangle>& triangle
       for (const std::uint32_t v : triangles[i]) share[i] += sum[v] / count[v] / 3;
     }
   }
-  std::vector<bool> hidden;
-  for (const double s : share) hidden.push_back(s > 0.5);
+  std::vector<bool> touched(screen.size(), false), hidden;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (share[i] > 0.5)
+      for (const std::uint32_t v : triangles[i]) touched[v] = true;
+  for (const render::Triangle& t : triangles) hidden.push_back(touched[t[0]] || touched[t[1]] || touched[t[2]]);
   return hidden;
 }
 

@@ -23,8 +23,9 @@ struct DrawTextureResult {
 // in the reference's picture; shape: its vertices in the frame, in the world of frame's camera (model.sample_scan's, of
 // align.orient's aligned scans). seen: the same frame with another picture, to compare with that; null = frame's own.
 // Where most triangles keep less than least_area of the area that they have in the reference's picture, the surface is
-// hidden: the mesh, which is one sheet, has an eye between its lids also when they are shut. It is not drawn, and what
-// pixels it had are as those about it.
+// hidden: the mesh, which is one sheet, has an eye between its lids also when they are shut. It is not drawn, nor are
+// the triangles beside it, whose pixels the reference shows mixed with it; what pixels they had are as those about
+// them.
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
                                const DepthScan& frame, const DepthScan* seen = nullptr,
                                const DrawTextureOptions& options = {});

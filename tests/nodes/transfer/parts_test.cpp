@@ -553,6 +553,27 @@ TEST(DrawTexture, ShowsNoLineOfAnEyeThatIsShut) {
   EXPECT_LT(brightest(0.1), 100);
 }
 
+// In the reference the lids' edges are half white: their pixels see lid and eye.
+TEST(DrawTexture, ShowsNothingOfTheEyeThatIsMixedIntoALidsEdge) {
+  DepthScan reference;
+  reference.camera.focal_px = 200;
+  reference.camera.position_mm = {0, 0, 200};
+  reference.camera.centre_x_px = reference.camera.centre_y_px = 31.5f;
+  reference.depth_mm.assign(64 * 64, 200);
+  reference.picture = {64, 64, 1, {}};
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const bool eye = y >= 24 && y < 40, edge = y == 23 || y == 40;
+      reference.picture.pixels.push_back(eye ? 220 : edge ? 155 : 90);
+    }
+  const Mesh mesh = model::scan_mesh(reference);
+  MeshPoints shut{mesh.points_mm};
+  for (Vec3f& p : shut.points_mm) p[1] = p[1] > 8 ? p[1] - 9.3f : p[1] < -8 ? p[1] + 8.3f : p[1] / 100;
+  const DrawTextureResult result = draw_texture(mesh, reference, shut, reference);
+  for (int y = 20; y < 44; ++y)
+    for (int x = 4; x < 60; ++x) EXPECT_NEAR(result.drawn.pixels[static_cast<std::size_t>(64 * y + x)], 90, 4) << y;
+}
+
 TEST(DrawTexture, RejectsAShapeOfAnotherMesh) {
   DepthScan scan;
   scan.camera.focal_px = 100;
