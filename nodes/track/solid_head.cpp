@@ -11,6 +11,12 @@ using Place = std::complex<double>;
 using Pose = Eigen::Matrix<double, 6, 1>;  // nod, turn, tilt, log of scale, place
 using Turn = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
+Pose numbers_of(const HeadPose& pose) {
+  Pose numbers;
+  numbers << pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px;
+  return numbers;
+}
+
 Turn turn_of(const Pose& pose) {
   using Axis = Eigen::Vector3d;
   return std::exp(pose[3]) * (Eigen::AngleAxisd(pose[2], Axis::UnitZ()) * Eigen::AngleAxisd(pose[1], Axis::UnitY()) *
@@ -34,15 +40,13 @@ Place SolidHead::at_rest(Place seen_px, double depth_px) const {
 }
 
 SolidHead solid_head(const HeadPose& pose, const std::array<double, 3>& origin_px) {
-  Pose numbers;
-  numbers << pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px;
   SolidHead head{origin_px, {}, {pose.x_px, pose.y_px}};
-  const Turn turn = turn_of(numbers);
+  const Turn turn = turn_of(numbers_of(pose));
   for (std::size_t i = 0; i < 9; ++i) head.turn[i] = turn.data()[i];
   return head;
 }
 
-SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarity) {
+SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarity, const LikelyPose* likely) {
   constexpr double turn_deviation = 0.14, scale_deviation = 0.05, place_error_px = 0.7;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Place mean = 0;
@@ -54,10 +58,15 @@ SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarit
   }
   origin /= total;
   mean /= total;
-  Pose pose, known = Pose::Zero();  // 1 / variance
+  Pose pose, usual = Pose::Zero(), known = Pose::Zero();  // mean and 1 / variance
   pose << 0, 0, std::arg(similarity), std::log(std::abs(similarity)), mean.real(), mean.imag();
   known[0] = known[1] = 1 / (turn_deviation * turn_deviation);
   known[3] = 1 / (scale_deviation * scale_deviation);
+  for (int k = 0; likely != nullptr && k < 4; ++k) {  // the product of two normal distributions
+    const double more = 1 / std::pow(numbers_of(likely->deviation)[k], 2);
+    usual[k] = pose[k] = more * numbers_of(likely->mean)[k] / (known[k] + more);
+    known[k] += more;
+  }
   const auto see = [&](const Pose& at, const Eigen::Vector3d& rest) {
     return Eigen::Vector2d((turn_of(at) * (rest - origin)).head<2>() + at.tail<2>());
   };
@@ -65,7 +74,7 @@ SolidHead find_solid_head(const std::vector<SolidPoint>& points, Place similarit
   constexpr double nudge = 1e-6, settled = 1e-8;
   for (int step = 0; step < most_steps; ++step) {
     Eigen::Matrix<double, 6, 6> hessian = known.asDiagonal();
-    Pose slope = -known.cwiseProduct(pose);
+    Pose slope = known.cwiseProduct(usual - pose);
     for (const SolidPoint& point : points) {
       const Eigen::Vector3d rest(point.at_rest.real(), point.at_rest.imag(), point.depth_px);
       const Eigen::Vector2d place = see(pose, rest);

@@ -35,13 +35,20 @@ struct SolidHead {
   std::complex<double> at_rest(std::complex<double> seen_px, double depth_px) const;
 };
 
+// Normal distributions of a pose's angles and scale; its place is free.
+struct LikelyPose {
+  HeadPose mean, deviation;
+};
+
 SolidHead solid_head(const HeadPose& pose, const std::array<double, 3>& origin_px);
 
 // The pose at which the points lie nearest to where they were seen (Gauss-Newton on three angles, scale and place).
 // Three points are as many numbers as a pose has, and noise of the tip of the nose would turn the head: nods and turns
 // within 8 degrees or so and scales within a twentieth are likelier than others, all the more where fewer points are
-// seen. points: at least two. similarity: a first guess, from rest to what is seen, as rotation times scale.
-SolidHead find_solid_head(const std::vector<SolidPoint>& points, std::complex<double> similarity);
+// seen. points: at least two. similarity: a first guess, from rest to what is seen, as rotation times scale. likely:
+// what else is known of the pose; one point is enough then. Null = nothing.
+SolidHead find_solid_head(const std::vector<SolidPoint>& points, std::complex<double> similarity,
+                          const LikelyPose* likely = nullptr);
 
 // How far the point of the 18-point layout with this name is in front of the inner corners of the eyes, in distances of
 // these: means over adults (after Farkas, Anthropometry of the Head and Face, 1994, rounded). -1 for other names.

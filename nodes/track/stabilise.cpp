@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/base/find_landmark.h"
@@ -22,6 +23,11 @@ struct Pair {
   double weight = 1;
   double depth_px = 0;  // of the point at rest
 };
+
+// Of the whole head's pose: on phantoms who turn and nod it is off by up to a degree sideways, in nods, which
+// raised brows look like, by one to two degrees and in scale by 1 to 3 %.
+constexpr HeadPose head_deviation{.nod = 0.03, .turn = 0.02, .tilt = 0.02, .log_scale = 0.03};
+constexpr double least_likeness = 0.45;  // as where track_klt.cpp takes a head for seen
 
 // The rigid points of a frame, in the order of their names.
 struct RigidPoints {
@@ -93,10 +99,21 @@ std::vector<Pair> pairs_of(const RigidPoints& here, const Landmarks& rest, const
   return pairs;
 }
 
+std::optional<LikelyPose> likely_pose(const Matrix* head) {
+  if (head == nullptr || head->values.empty()) return std::nullopt;  // nobody knows the head
+  check(head->rows == 7 && head->columns == 1 && head->values.size() == 7, "head is ", head->rows, " x ", head->columns,
+        head->values.size() == head->rows * head->columns ? "" : " with another number of values",
+        ", expected 7 x 1 as track.klt gives it");
+  const std::vector<double>& n = head->values;
+  for (const double number : n) check(std::isfinite(number), "head has ", number, ", expected finite numbers");
+  if (n[6] < least_likeness) return std::nullopt;
+  return LikelyPose{{n[0], n[1], n[2], n[3], n[4], n[5]}, head_deviation};
+}
+
 }  // namespace
 
 Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest, const Matrix* depths_px,
-                    const StabiliseOptions& options) {
+                    const Matrix* head, const StabiliseOptions& options) {
   check(!options.rigid.empty(), "rigid names no point");
   check(options.smooth_frames >= 0, "smooth_frames is ", options.smooth_frames, ", expected at least 0");
   if (depths_px != nullptr)
@@ -105,6 +122,7 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
           "depths_px is ", depths_px->rows, " x ", depths_px->columns,
           depths_px->values.size() == depths_px->rows * depths_px->columns ? "" : " with another number of values",
           ", expected ", rest.points.size(), " x 1 as rest has points");
+  const std::optional<LikelyPose> likely = likely_pose(head);
   std::vector<RigidPoints> rigid;
   for (std::size_t i = 0; i < landmarks.size(); ++i) rigid.push_back(rigid_points(landmarks[i], options.rigid));
   const std::size_t centre = landmarks.centre_index();
@@ -114,7 +132,7 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
     for (Landmark& point : moved.points) point.valid = false;
     return moved;
   }
-  const bool solid = depths_px != nullptr && pairs.size() >= 2;
+  const bool solid = depths_px != nullptr && pairs.size() >= (likely ? 1 : 2);
   const std::size_t first = centre - std::min(centre, smoothing_reach);
   const std::size_t last = std::min(centre + smoothing_reach, landmarks.size() - 1);
   for (std::size_t i = first; i <= last && options.smooth_frames > 0; ++i) {
@@ -138,18 +156,18 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
     size += pair.weight * std::norm(pair.from - from);
   }
   const Point turn = size > 1 && std::abs(along) > 0 ? along / size : Point(1);
-  SolidHead head;
+  SolidHead posed;
   if (solid) {
     std::vector<SolidPoint> points;
     for (const Pair& pair : pairs) points.push_back({pair.to, pair.from, pair.depth_px, pair.weight});
-    head = find_solid_head(points, 1.0 / turn);
+    posed = find_solid_head(points, 1.0 / turn, likely ? &*likely : nullptr);
   }
   for (Landmark& point : moved.points) {
     const Landmark* at_rest = find_landmark(rest, point.name);
     const bool placed = solid && at_rest != nullptr;
     const Point here(point.x_px, point.y_px);
     const Point at = placed
-                         ? head.at_rest(here, depths_px->at(static_cast<std::size_t>(at_rest - rest.points.data()), 0))
+                         ? posed.at_rest(here, depths_px->at(static_cast<std::size_t>(at_rest - rest.points.data()), 0))
                          : to + turn * (here - from);
     point.x_px = at.real();
     point.y_px = at.imag();

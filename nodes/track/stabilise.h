@@ -34,7 +34,13 @@ struct StabiliseOptions {
 // place are those at which the rigid points lie nearest to where they were seen, turns and nods within 8 degrees or so
 // and scales within a twentieth being likelier than others (Gauss-Newton). What a point has moved by itself is then in
 // the plane of the picture at rest, at the depth that it had there.
+//
+// Three points are few: where the head turns by more than some degrees, they turn it too little and drop the mouth.
+// head (7 x 1; null = not known): its pose since `rest` by all that is seen of it, and how like it is to what was
+// there, 0 to 1 (track_klt.h). Where it is seen, poses near it are likelier too: turns and tilts within a degree
+// or so, nods within 2 and scales within 3 %, as raised brows look like these. With it one rigid point is enough. It
+// counts for nothing without depths.
 Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest, const Matrix* depths_px,
-                    const StabiliseOptions& options = {});
+                    const Matrix* head, const StabiliseOptions& options = {});
 
 }  // namespace face::track

@@ -141,6 +141,7 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
              TrackKltResult& result) {
   auto& points = result.followed.points;
   const bool was_valid = result.valid, even = is_even(now);
+  if (!result.head.values.empty()) result.head.values.back() = 0;  // until it is seen
   bool cut = false;
   Seen seen;
   seen.likeness.assign(points.size(), 0);

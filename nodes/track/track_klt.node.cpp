@@ -8,7 +8,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.klt", &track_klt, version{9},
+NODE("track.klt", &track_klt, version{10},
      doc{"Follows points on a face through a video by pyramidal KLT, with a check that they come home, anchors against "
          "drift, and the edge of the lips."},
      input{"frames", "The video's frames", window{1, 0}}, input{"start", "The points on the first frame"},
@@ -54,7 +54,8 @@ NODE("track.klt", &track_klt, version{9},
      output("face", &TrackKltResult::face, "What is looked for when everything was lost"),
      output("head_look", &TrackKltResult::head_look, "What is between brows and nose at the start"),
      output("head", &TrackKltResult::head,
-            "The head's pose since the start, 7 x 1: nod, turn, tilt (rad), log of the scale, place (px), likeness"),
+            "The head's pose since the start, 7 x 1: nod, turn, tilt (rad), log of the scale, place (px), likeness (0: "
+            "not seen)"),
      output("confidence", &TrackKltResult::confidence, "Of each point: 0 lost, 1 looks as where it was placed"),
      output("state", &TrackKltResult::state, "start, followed, found, cut, even or lost"),
      output("valid", &TrackKltResult::valid, "False where the face is not seen"),

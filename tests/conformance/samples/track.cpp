@@ -66,6 +66,11 @@ const Maker depths = made([](int variant) {
   return column;
 });
 
+// A head that nods and turns a little.
+const Maker head_pose = made([](int variant) {
+  return face::Matrix{7, 1, {0.02 + 0.05 * variant, 0.03 - 0.04 * variant, 0.01, 0.01, 60, 40, 0.9}};
+});
+
 const Maker correction = made([](int variant) {
   return face::Landmarks{{{"lip_3", 65 + 0.5 * variant, 57 - 0.5 * variant, true}}};
 });
@@ -111,6 +116,7 @@ const Registered track({
             {"track.klt.correction", correction},
             {"track.face_flow.start", drifting_points},
             {"track.stabilise.depths_px", depths},
+            {"track.stabilise.head", head_pose},
             {"track.chain_flow.start", two_digit_points},
             {"track.chain_flow.correction", nose_put_right},
             {"track.chain_flow.from_first", another("flow_field", 2)},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "nodes/base/find_landmark.h"
 #include "nodes/base/random.h"
@@ -152,5 +153,24 @@ TEST(HeadMotion, KeepsPointsOfATurnedHeadThatLooksOtherwise) {
     const Landmark &point = *find_landmark(tracked.landmarks, name), &truth = *find_landmark(views.back().truth, name);
     EXPECT_TRUE(point.valid) << name;
     EXPECT_LT(std::hypot(point.x_px - truth.x_px, point.y_px - truth.y_px), 5) << name;
+  }
+}
+
+TEST(HeadMotion, OfAFrameThatDoesNotShowTheHeadIsNotKnown) {
+  const PersonInView person;
+  const View front = person.seen_from(0, 0);
+  const auto shown = std::make_shared<const Image>(front.image);
+  Image black = front.image;
+  std::fill(black.pixels.begin(), black.pixels.end(), std::uint8_t{0});
+  const auto hidden = std::make_shared<const Image>(black);
+  TrackKltResult tracked = track_klt(engine::Window<Image>({shown}, 0), front.truth, nullptr, {}, {});
+  EXPECT_EQ(tracked.head.at(6, 0), 1);
+  for (const auto& [before, now] : {std::pair{shown, shown}, {shown, hidden}, {hidden, shown}}) {
+    const engine::Prior<TrackKltResult> prior(std::make_shared<const TrackKltResult>(tracked));
+    tracked = track_klt(engine::Window<Image>({before, now}, 1), front.truth, nullptr, prior, {});
+    if (now == hidden)
+      EXPECT_EQ(tracked.head.at(6, 0), 0);
+    else
+      EXPECT_GT(tracked.head.at(6, 0), 0.9);
   }
 }

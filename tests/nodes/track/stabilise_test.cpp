@@ -37,7 +37,7 @@ TEST(Stabilise, TakesAMovedTurnedScaledHeadBack) {
   Landmarks open = rest();
   open.points[3].y_px = 177;
   const Landmarks moved = turned(open, 0.2, 1.1, 14, -9);
-  const Landmarks stable = stabilise(window({moved, moved}, 1), rest(), nullptr);
+  const Landmarks stable = stabilise(window({moved, moved}, 1), rest(), nullptr, nullptr);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(stable.points[i].x_px, open.points[i].x_px, 1e-9);
     EXPECT_NEAR(stable.points[i].y_px, open.points[i].y_px, 1e-9);
@@ -49,7 +49,7 @@ TEST(Stabilise, TremblesLessWithNeighbours) {
   shaken.points[0].y_px += 1;
   const StabiliseOptions alone{.smooth_frames = 0};
   const auto off = [&](const StabiliseOptions& options) {
-    const Landmark lip = stabilise(window({rest(), shaken, rest()}, 1), rest(), nullptr, options).points[3];
+    const Landmark lip = stabilise(window({rest(), shaken, rest()}, 1), rest(), nullptr, nullptr, options).points[3];
     return std::hypot(lip.x_px - 140, lip.y_px - 170);
   };
   const double plain = off(alone), smooth = off({});
@@ -60,7 +60,7 @@ TEST(Stabilise, TremblesLessWithNeighbours) {
 TEST(Stabilise, KeepsTheScaleWhereOnePointIsSeen) {
   Landmarks moved = turned(rest(), 0, 1, 5, 6);
   moved.points[0].valid = moved.points[1].valid = false;
-  const Landmarks stable = stabilise(window({moved}, 0), rest(), nullptr);
+  const Landmarks stable = stabilise(window({moved}, 0), rest(), nullptr, nullptr);
   EXPECT_NEAR(stable.points[3].x_px, 140, 1e-9);
   EXPECT_NEAR(stable.points[3].y_px, 170, 1e-9);
   EXPECT_TRUE(stable.points[3].valid);
@@ -69,13 +69,13 @@ TEST(Stabilise, KeepsTheScaleWhereOnePointIsSeen) {
 TEST(Stabilise, SaysThatNothingIsKnownWithoutARigidPoint) {
   Landmarks lost = rest();
   for (std::size_t i = 0; i < 3; ++i) lost.points[i].valid = false;
-  const Landmarks stable = stabilise(window({rest(), lost}, 1), rest(), nullptr);
+  const Landmarks stable = stabilise(window({rest(), lost}, 1), rest(), nullptr, nullptr);
   for (const Landmark& point : stable.points) EXPECT_FALSE(point.valid);
   EXPECT_EQ(stable.points[3].y_px, 170);
 }
 
 TEST(Stabilise, NamesARigidPointThatRestDoesNotHave) {
-  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), {{{"lip_0", 1, 2}}}, nullptr),
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), {{{"lip_0", 1, 2}}}, nullptr, nullptr),
                     "rest has no point eye_inner_r, expected all rigid ones");
 }
 
@@ -100,28 +100,69 @@ TEST(Stabilise, TakesANodAndATurnOutWhereDepthsAreKnown) {
   open.points[3].y_px += 7;
   const Landmarks seen = nodded(open, depths, 0.1, -0.07);
   const auto off = [&](const Matrix* known) {
-    const Landmark lip = stabilise(window({seen}, 0), rest(), known).points[3];
+    const Landmark lip = stabilise(window({seen}, 0), rest(), known, nullptr).points[3];
     return std::hypot(lip.x_px - open.points[3].x_px, lip.y_px - open.points[3].y_px);
   };
   EXPECT_GT(off(nullptr), 3);
   EXPECT_LT(off(&depths), 0.25);  // likelier angles are smaller ones
 }
 
+namespace {
+
+// As track.klt gives it.
+Matrix pose(double nod, double turn, double likeness) { return {7, 1, {nod, turn, 0, 0, 165, 112, likeness}}; }
+
+}  // namespace
+
+// Three points turned a head of 20 degrees by 15, and the mouth went sideways by what was missing.
+TEST(Stabilise, TakesALargeTurnOutWhereTheWholeHeadTellsIt) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}};
+  Landmarks open = rest();
+  open.points[3].y_px += 7;
+  Landmarks seen = nodded(open, depths, -0.15, 0.35);
+  seen.points[2].x_px += 1;  // the tip of the nose is seen a little beside its place
+  const Matrix head = pose(-0.15, 0.35, 0.9), lost = pose(-0.15, 0.35, 0);
+  const auto off = [&](const Matrix* known) {
+    const Landmark lip = stabilise(window({seen}, 0), rest(), &depths, known).points[3];
+    return std::hypot(lip.x_px - open.points[3].x_px, lip.y_px - open.points[3].y_px);
+  };
+  EXPECT_GT(off(nullptr), 1.2);
+  EXPECT_LT(off(&head), 0.8 * off(nullptr)) << "the nose alone puts it 0.3 px aside";
+  EXPECT_EQ(off(&lost), off(nullptr)) << "a head that is not seen tells nothing";
+}
+
+TEST(Stabilise, OnePointPlacesAHeadWhosePoseIsKnown) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}}, head = pose(0.1, -0.07, 0.9);
+  Landmarks seen = nodded(rest(), depths, 0.1, -0.07);
+  seen.points[0].valid = seen.points[1].valid = false;
+  const Landmark lip = stabilise(window({seen}, 0), rest(), &depths, &head).points[3];
+  EXPECT_NEAR(lip.x_px, 140, 0.5);
+  EXPECT_NEAR(lip.y_px, 170, 0.5);
+}
+
+TEST(Stabilise, RejectsAPoseThatIsNone) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}}, three{3, 1, {0, 0, 0}};
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths, &three),
+                    "head is 3 x 1, expected 7 x 1 as track.klt gives it");
+  const Matrix wild = pose(std::nan(""), 0, 1);
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths, &wild), "head has nan, expected finite numbers");
+}
+
 TEST(Stabilise, LeavesAHeadThatDidNotMoveWhereItIsWhateverTheDepths) {
   const Matrix depths{4, 1, {0, 0, 40, 25}};
   Landmarks open = rest();
   open.points[3].y_px += 7;
-  const Landmark lip = stabilise(window({open}, 0), rest(), &depths).points[3];
+  const Landmark lip = stabilise(window({open}, 0), rest(), &depths, nullptr).points[3];
   EXPECT_NEAR(lip.x_px, 140, 1e-6);
   EXPECT_NEAR(lip.y_px, 177, 1e-6);
 }
 
 TEST(Stabilise, RejectsDepthsOfAnotherNumberOfPoints) {
   const Matrix depths{3, 1, {0, 0, 40}};
-  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths),
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &depths, nullptr),
                     "depths_px is 3 x 1, expected 4 x 1 as rest has points");
   const Matrix empty{4, 1, {}};
-  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &empty),
+  EXPECT_THROW_TEXT(stabilise(window({rest()}, 0), rest(), &empty, nullptr),
                     "depths_px is 4 x 1 with another number of values, expected 4 x 1 as rest has points");
 }
 
@@ -146,19 +187,19 @@ TEST(Stabilise, BridgesABlinkOfATurnedHead) {
   const Matrix depths{4, 1, {0, 0, 40, 25}};
   const std::vector<Landmarks> frames = blinking(depths);
   for (const std::size_t at : {3u, 4u, 5u, 6u}) {
-    const Landmark lip = stabilise(window(frames, at), rest(), &depths, {.smooth_frames = 0}).points[3];
+    const Landmark lip = stabilise(window(frames, at), rest(), &depths, nullptr, {.smooth_frames = 0}).points[3];
     EXPECT_NEAR(lip.x_px, 140, 0.5) << "frame " << at;
     EXPECT_NEAR(lip.y_px, 170, 0.5) << "frame " << at;
   }
   const std::vector<Landmarks> alone = {frames[5]};
-  EXPECT_GT(std::abs(stabilise(window(alone, 0), rest(), &depths).points[3].y_px - 170), 1);
+  EXPECT_GT(std::abs(stabilise(window(alone, 0), rest(), &depths, nullptr).points[3].y_px - 170), 1);
 }
 
 TEST(Stabilise, BridgesABlinkAtTheEndFromOneSide) {
   const Matrix depths{4, 1, {0, 0, 40, 25}};
   std::vector<Landmarks> frames = blinking(depths);
   frames.resize(5);
-  const Landmark lip = stabilise(window(frames, 4), rest(), &depths, {.smooth_frames = 0}).points[3];
+  const Landmark lip = stabilise(window(frames, 4), rest(), &depths, nullptr, {.smooth_frames = 0}).points[3];
   EXPECT_NEAR(lip.x_px, 140, 1);
   EXPECT_NEAR(lip.y_px, 170, 1);
 }
@@ -168,7 +209,7 @@ TEST(Stabilise, BridgesABlinkOfManyFrames) {
   const Matrix depths{4, 1, {0, 0, 40, 25}};
   std::vector<Landmarks> frames;
   for (const Landmarks& frame : blinking(depths)) frames.insert(frames.end(), 8, frame);
-  const Landmark lip = stabilise(window(frames, 40), rest(), &depths, {.smooth_frames = 0}).points[3];
+  const Landmark lip = stabilise(window(frames, 40), rest(), &depths, nullptr, {.smooth_frames = 0}).points[3];
   EXPECT_NEAR(lip.x_px, 140, 0.5);
   EXPECT_NEAR(lip.y_px, 170, 0.5);
 }
