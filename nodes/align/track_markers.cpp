@@ -10,6 +10,8 @@
 namespace face::align {
 namespace {
 
+constexpr double same_dot_px = 3;  // nearer than two painted dots are
+
 // The picture in grey, with one access rule: outside, the nearest pixel's.
 struct Grey {
   int width, height;
@@ -67,6 +69,14 @@ struct Match {
   double likeness = -1;
 };
 
+struct Place {
+  double x = 0, y = 0;
+};
+
+bool is_near(const Place& a, const Place& b, double reach_px) {
+  return std::fabs(a.x - b.x) < reach_px && std::fabs(a.y - b.y) < reach_px;
+}
+
 class Template {
  public:
   Template(const Image& templates, std::size_t index, int side) : side_(side) {
@@ -77,7 +87,8 @@ class Template {
   }
 
   // Whole pixel of the least sum of squared differences, corners from low to high on both axes about (left, top).
-  Match search(const Grey& grey, int left, int top, int reach) const {
+  // Left out are corners within half a side of one in `taken`.
+  Match search(const Grey& grey, int left, int top, int reach, const std::vector<Place>& taken = {}) const {
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
     Match match{static_cast<double>(left), static_cast<double>(top), -1};
     // The neighbourhood once, so that the sums run over contiguous memory.
@@ -98,11 +109,14 @@ class Template {
             sum += d * d;
           }
         }
-        if (sum < least) {
-          least = sum;
-          match.x = left - reach + dx;
-          match.y = top - reach + dy;
-        }
+        if (sum >= least) continue;
+        const Place corner{static_cast<double>(left - reach + dx), static_cast<double>(top - reach + dy)};
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const Place& other) { return is_near(corner, other, 0.5 * side_); }))
+          continue;
+        least = sum;
+        match.x = corner.x;
+        match.y = corner.y;
       }
     return match;
   }
@@ -181,21 +195,51 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
           " markers, start has ", start.points.size());
     result.templates = before->templates;
     result.markers = before->markers;
-    for (std::size_t i = 0; i < start.points.size(); ++i) {
-      Landmark& point = result.markers.points[i];
-      const int reach = static_cast<int>(options.search_px / 2) * (point.valid ? 1 : 2);
+    const std::size_t count = start.points.size();
+    std::vector<Match> matches(count);
+    // The point keeps its place in the square that was taken about it.
+    const auto place_of = [&](std::size_t i) {
+      const Landmark& point = start.points[i];
+      return Place{matches[i].x + point.x_px - corner_of(point.x_px, side),
+                   matches[i].y + point.y_px - corner_of(point.y_px, side)};
+    };
+    const auto look = [&](std::size_t i, int neighbourhoods, const std::vector<Place>& taken) {
+      const Landmark &from = start.points[i], &last = before->markers.points[i];
+      std::vector<Place> corners;
+      for (const Place& at : taken)
+        corners.push_back(
+            {at.x - from.x_px + corner_of(from.x_px, side), at.y - from.y_px + corner_of(from.y_px, side)});
       const Template square(result.templates, i, side);
-      Match match = square.search(grey, corner_of(point.x_px, side), corner_of(point.y_px, side), reach);
-      square.refine(grey, match);
-      // The point keeps its place in the square that was taken about it.
-      const double off_x = start.points[i].x_px - corner_of(start.points[i].x_px, side),
-                   off_y = start.points[i].y_px - corner_of(start.points[i].y_px, side);
-      const bool inside = fits(grey, match.x + off_x, match.y + off_y, side);
+      matches[i] = square.search(grey, corner_of(last.x_px, side), corner_of(last.y_px, side),
+                                 static_cast<int>(options.search_px / 2) * neighbourhoods, corners);
+      square.refine(grey, matches[i]);
+    };
+    // First those that were followed until here. Of two on one dot the more alike has it.
+    std::vector<bool> again(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      again[i] = !before->markers.points[i].valid;
+      if (!again[i]) look(i, 1, {});
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (!again[i] && !again[k] && is_near(place_of(i), place_of(k), same_dot_px))
+          again[matches[i].likeness > matches[k].likeness ? k : i] = true;
+    std::vector<Place> taken;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!again[i] && matches[i].likeness >= options.least_likeness) taken.push_back(place_of(i));
+    for (std::size_t i = 0; i < count; ++i) {
+      Landmark& point = result.markers.points[i];
+      if (again[i]) look(i, 2, taken);
+      const Place at = place_of(i);
+      const bool inside = fits(grey, at.x, at.y, side);
       if (point.valid && !inside)
         progress.warn(message("marker ", point.name, " leaves the picture of ", grey.width, " x ", grey.height,
-                              " pixels at (", std::lround(match.x + off_x), ", ", std::lround(match.y + off_y), ")"));
-      point.valid = match.likeness >= options.least_likeness && inside;
-      if (point.valid) point.x_px = match.x + off_x, point.y_px = match.y + off_y;
+                              " pixels at (", std::lround(at.x), ", ", std::lround(at.y), ")"));
+      point.valid = matches[i].likeness >= options.least_likeness && inside;
+      if (!point.valid) continue;
+      point.x_px = at.x;
+      point.y_px = at.y;
+      if (again[i]) taken.push_back(at);
     }
   }
   if (correction)

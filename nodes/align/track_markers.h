@@ -28,10 +28,11 @@ struct TrackMarkersResult {
 // between pixels is found by Gauss-Newton steps on the same sum, freed of gain and offset of light. A marker whose
 // template is unlike what is found (zero-mean normalised correlation below least_likeness), or that leaves the picture,
 // is lost: not valid, at its last good place, and looked for there in twice the neighbourhood. A warning names one that
-// leaves the picture, in the frame in which it does.
-// Differs from the paper: templates stay those of the first frame, so that errors do not add up.
-// start: the points on the first frame of the take. correction: points put right on this frame, by name; the template
-// is taken anew there. before: this node's result of the frame before.
+// leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the one that is
+// more like it, and the other is looked for in twice the neighbourhood, beside the dots that are taken. Differs from
+// the paper: templates stay those of the first frame, so that errors do not add up. start: the points on the first
+// frame of the take. correction: points put right on this frame, by name; the template is taken anew there. before:
+// this node's result of the frame before.
 TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
                                  const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options,
                                  engine::Progress& progress);

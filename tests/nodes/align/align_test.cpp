@@ -110,6 +110,41 @@ TEST(TrackMarkers, NamesAMarkerThatLeavesThePictureAndKeepsTheRest) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(result.markers.points[i].x_px, start.points[i].x_px - 6, 0.02);
 }
 
+// Two equal dots, 12 px apart, of a jaw that drops by 11: the upper one's new place is nearly the lower one's old.
+TEST(TrackMarkers, DoesNotFollowTheDotOfAnotherMarker) {
+  const auto picture = [](const std::vector<std::pair<double, double>>& dots) {
+    DepthScan scan;
+    scan.picture = {96, 96, 1, {}};
+    for (int y = 0; y < 96; ++y)
+      for (int x = 0; x < 96; ++x) {
+        double light = 90 + 0.1 * x;
+        for (const auto& [dot_x, dot_y] : dots)
+          light += 120 / (1 + std::exp(2 * (std::hypot(x - dot_x, y - dot_y) - 3)));
+        scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::min(light, 255.0))));
+      }
+    return scan;
+  };
+  const Landmarks start{{{"lip", 40, 30, true}, {"chin", 40, 42, true}}};
+  TrackMarkersResult result = track_markers(picture({{40, 30}, {40, 42}}), start, nullptr, {}, {}, quiet);
+  const auto next = [&](const DepthScan& scan) {
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(scan, start, nullptr, before, {}, quiet);
+  };
+  next(picture({{40, 34}, {40, 53}}));
+  EXPECT_EQ(result.report, "");
+  EXPECT_NEAR(result.markers.points[0].y_px, 34, 0.1);
+  EXPECT_NEAR(result.markers.points[1].y_px, 53, 0.1);
+  // A dot that turns out of sight is lost, whatever is near, and found again when it comes back.
+  next(picture({{40, 40}}));
+  EXPECT_EQ(result.report, "chin");
+  EXPECT_NEAR(result.markers.points[0].y_px, 40, 0.1);
+  next(picture({{40, 46}}));
+  EXPECT_EQ(result.report, "chin");
+  next(picture({{40, 44}, {40, 56}}));
+  EXPECT_EQ(result.report, "");
+  EXPECT_NEAR(result.markers.points[1].y_px, 56, 0.1);
+}
+
 TEST(TrackMarkers, TakesACorrection) {
   const auto frame = stream().frame(stream().weights({}));
   const Landmarks start = true_start(frame);
