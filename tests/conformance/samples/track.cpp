@@ -103,6 +103,19 @@ const Maker parting_lips = made([](int variant) {
   return points;
 });
 
+// The same of a mouth that is open or nearly so, with thinner lips.
+const Maker open_lips = made([](int variant) {
+  face::Landmarks points;
+  for (int k = 1; k <= 3; ++k) {
+    const double upper_px = 6.5 + 0.5 * std::sin(1.3 * variant), gap_px = k == 2 ? 9 : 4.5;
+    points.points.push_back({"lip_" + std::to_string(k + 1), 10.0 * k, 20, true});
+    points.points.push_back({"inner_lip_" + std::to_string(k), 10.0 * k, 20 + upper_px - 0.3 * k, true});
+    points.points.push_back({"inner_lip_" + std::to_string(8 - k), 10.0 * k, 20 + upper_px + gap_px, true});
+    points.points.push_back({"lip_" + std::to_string(11 - k), 10.0 * k, 30 + upper_px + gap_px, true});
+  }
+  return points;
+});
+
 engine::ParamValue names(std::vector<std::string> list) { return list; }
 
 const Registered track({
@@ -123,6 +136,8 @@ const Registered track({
             {"track.inner_lips.image", clip},
             {"track.inner_lips.landmarks", first_points},
             {"track.inner_lips.rest", parting_lips},
+            {"track.lip_thickness.landmarks", open_lips},
+            {"track.lip_thickness.rest", parting_lips},
             {"track.mouth_opening.image", clip},
             {"track.mouth_opening.landmarks", scattered(first_points, 2)},
             {"track.find_contact.openings", openings},
