@@ -99,6 +99,10 @@ Plain draw(const LikenessFace& face, const PictureLevel& level) {
       values.push_back(value);
     }
   if (values.empty()) return plain;
+  if (face.skin_alone) {
+    plain.inside = skin;
+    return plain;
+  }
   // Eyes and mouth are the holes in the skin.
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(skin, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);

@@ -18,7 +18,8 @@ struct LikenessFace {
   const PictureState& state;
   double eyes_px = 0;  // distance of the outer corners of the eyes in the picture
   const std::vector<Vec3f>* colours =
-      nullptr;  // of local vertices, where the person's own are known: lit as in `state`
+      nullptr;              // of local vertices, where the person's own are known: lit as in `state`
+  bool skin_alone = false;  // without what lies between lids and lips
 };
 
 // Whether a picture looks like a face where it is said to be: the correlation, -1 to 1, of the picture and of the face

@@ -82,6 +82,11 @@ PictureLevel make_level(const Image& picture, double factor, double exposure) {
   return level;
 }
 
+std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera) {
+  const auto [x, y, z] = normal_in_camera;
+  return {1, x, y, z, x * y, x * z, y * z, x * x - y * y, 3 * z * z - 1};
+}
+
 FaceLight moved(const FaceLight& light, const double* step) {
   FaceLight result = light;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -231,10 +236,13 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     rows.jacobian.resize(first_row + 3 * rows.columns, 0.0f);
     float* const out = rows.jacobian.data() + first_row;
     const Vec3 normal_in_camera = rotation * normal;
+    const auto shading = shading_at({normal_in_camera.x(), normal_in_camera.y(), normal_in_camera.z()});
+    double brighter = 0;
+    for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
     const Vec3 swing = normal_in_camera.cross(light_in_camera);  // d cosine by a turn of the head
     for (std::size_t c = 0; c < 3; ++c) {
       const auto ci = static_cast<Eigen::Index>(c);
-      rows.residual.push_back(picture[c] - static_cast<float>(value[c]));
+      rows.residual.push_back(picture[c] - static_cast<float>(value[c] + brighter));
       const double gx = picture[3 + c], gy = picture[6 + c];
       float* const row = out + c * rows.columns;
       for (std::size_t k = 0; k < FacePose::size; ++k)
@@ -266,6 +274,9 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         l[9 + c] = static_cast<float>(-(state.light.contrast * e[c] + (1.0 - state.light.contrast) * grey));
         l[12 + c] = -1;
       }
+      if (columns.shading)
+        for (std::size_t k = 0; k < shading_parameters; ++k)
+          row[columns.shading_first() + k] = -static_cast<float>(shading[k]);
     }
     Eigen::Map<Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>> block(out, 3,
                                                                                static_cast<Eigen::Index>(rows.columns));

@@ -20,8 +20,15 @@ struct PictureLevel {
   std::vector<std::array<float, 9>> samples;  // per pixel: R G B, then d/dx of them, then d/dy
 };
 
-// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are divided by.
+// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are divided
+// by.
 PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
+
+// What no light of one direction explains, highlights above all, changes slowly with the direction of the normal:
+// the spherical harmonics up to the second order of the normal in the camera's frame, added to all channels (as Basri
+// and Jacobs, Lambertian Reflectance and Linear Subspaces, PAMI 2003, use them for light from everywhere).
+inline constexpr std::size_t shading_parameters = 9;
+std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera);
 
 // Of what one picture depends on beside identity and albedo.
 struct PictureState {
@@ -29,6 +36,7 @@ struct PictureState {
   std::vector<double> expression;
   FaceLight light;
   std::vector<float> seen;  // local vertices: the share of the parallel light that reaches them; empty = all of it
+  std::array<double, shading_parameters> shading{};  // what is brighter than that, by harmonics of the normal
 };
 
 // The face's own shadow at a state.
@@ -38,14 +46,17 @@ std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& 
 inline constexpr std::size_t light_parameters = 15;
 FaceLight moved(const FaceLight& light, const double* step);
 
-// Which columns are wanted. Those of identity, albedo, pose (7), expression and light follow each other in this order.
+// Which columns are wanted. Those of identity, albedo, pose (7), expression, light and shading follow each other in
+// this order.
 struct PixelColumns {
   std::size_t identities = 0, albedos = 0, expressions = 0;
   bool light = true;
+  bool shading = false;
   std::size_t pose_first() const { return identities + albedos; }
   std::size_t expression_first() const { return pose_first() + FacePose::size; }
   std::size_t light_first() const { return expression_first() + expressions; }
-  std::size_t size() const { return light_first() + (light ? light_parameters : 0); }
+  std::size_t shading_first() const { return light_first() + (light ? light_parameters : 0); }
+  std::size_t size() const { return shading_first() + (shading ? shading_parameters : 0); }
 };
 
 // Differences picture minus model at random points of the visible skin, and their derivatives: 3 rows per point.

@@ -19,6 +19,7 @@ struct TrackVideoOptions {
   double turn_sigma_deg = 3;      // of the head from frame to frame
   double max_image_rms = 0.15;    // difference of frame and model above which a frame is not believed
   double min_likeness = 0.6;      // of frame and face (likeness.h) below which a frame is not believed
+  double shading_sigma = 0.05;    // of what no light of one direction explains, a share of the scale
   std::int64_t seed = 1;
 };
 
@@ -29,8 +30,9 @@ struct TrackVideoResult {
 // Follows a head and its mouth through a video: each frame starts from the one before, which is also the centre of the
 // prior; identity, colours, light and focal length are the start's; the frame's size grows (Blanz, Basso, Poggio,
 // Vetter: Reanimating Faces in Images and Video, Eurographics 2003, section 4.1). Differs from the paper: Gauss-Newton
-// steps, robust weights, and a frame that does not look like the face says so and leaves pose and expression as they
-// were. start: the fit of the first frame, or of one near it. albedo: the face's own colours, of texture.extract.
+// steps, robust weights, harmonics of the normal for light that the model does not know, and a frame that does not look
+// like the face says so and leaves pose and expression as they were. start: the fit of the first frame, or of one near
+// it. albedo: the face's own colours, of texture.extract.
 TrackVideoResult track_video(const MorphableModel& model, const Image& frame, const FaceFit& start,
                              const AlbedoMap& albedo, const engine::Prior<TrackVideoResult>& prior,
                              const TrackVideoOptions& options = {});

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.track_video", &track_video, version{1},
+NODE("model.track_video", &track_video, version{2},
      doc{"Follows a fitted head and its mouth through a video, frame by frame, by what it looks like."},
      input{"model", "The morphable model"}, input{"frame", "The video's frames"},
      input{"start", "The fit of the first frame"}, input{"albedo", "The face's colours, of texture.extract"},
@@ -18,6 +18,8 @@ NODE("model.track_video", &track_video, version{1},
            "Change of a coefficient from frame to frame, over its own sigma"),
      param("turn_sigma_deg", &TrackVideoOptions::turn_sigma_deg, range{0.001, 180}, unit{"deg"},
            "Turn of the head from frame to frame"),
+     param("shading_sigma", &TrackVideoOptions::shading_sigma, range{0.000001, 1}, unit{"1"},
+           "Of what no light of one direction explains, a share of the scale"),
      param("max_image_rms", &TrackVideoOptions::max_image_rms, range{0.001, 1}, unit{"1"},
            "Difference of frame and model above which a frame is not believed"),
      param("min_likeness", &TrackVideoOptions::min_likeness, range{-1, 1}, unit{"1"},

@@ -18,7 +18,7 @@ struct World {
   PictureLevel level;
   PictureState state;
   std::vector<double> identity = std::vector<double>(8, 0.3), albedo = std::vector<double>(6, 0.2);
-  PixelColumns columns{8, 6, 4, true};
+  PixelColumns columns{8, 6, 4, true, true};
   std::vector<SkinPoint> points;
 
   World() {
@@ -61,6 +61,8 @@ struct World {
       other.state.pose = moved(state.pose, turn);
     } else if (column < 25) {
       other.state.expression[column - 21] += step;
+    } else if (column >= columns.shading_first()) {
+      other.state.shading[column - columns.shading_first()] += step;
     } else {
       std::array<double, light_parameters> light{};
       light[column - 25] = step;
@@ -87,6 +89,22 @@ TEST(PixelRows, HasTheDerivativesThatDifferencesHave) {
     // Shape turns the smooth normal as it turns the triangle: alike but not equal. All else is exact but for floats.
     const bool shape = column < 8 || (column >= 21 && column < 25);
     EXPECT_LT(std::sqrt(error), (shape ? 0.35 : 0.01) * std::sqrt(size) + 1e-4) << "column " << column;
+  }
+}
+
+// A highlight that no light of the model makes: what is brighter by the normal's direction alone is no difference.
+TEST(PixelRows, ExplainSlowChangesOfBrightnessByShading) {
+  World world;
+  const std::size_t first = world.columns.shading_first();
+  const PixelRows before = world.rows();
+  world.state.shading = {0.02, 0.01, -0.03, 0.02, 0.01, 0, 0.01, -0.01, 0.005};
+  const PixelRows after = world.rows();
+  ASSERT_EQ(after.residual.size(), before.residual.size());
+  for (std::size_t i = 0; i < after.residual.size(); ++i) {
+    double expected = before.residual[i];
+    for (std::size_t k = 0; k < shading_parameters; ++k)
+      expected += world.state.shading[k] * before.jacobian[i * before.columns + first + k];
+    EXPECT_NEAR(after.residual[i], expected, 1e-5);
   }
 }
 

@@ -437,6 +437,28 @@ TEST(TrackVideo, DoesNotBelieveAnEmptyWallOfTheSkinsColour) {
       << result.fit.problem;
 }
 
+// As lids in a blink, or teeth in a wide mouth: what lies in the holes of the skin is not as dark as it is drawn.
+TEST(TrackVideo, KeepsAFaceWhoseEyesAreBright) {
+  const AlbedoMap map = striped_map();
+  const FaceFit start = true_fit(0);
+  Image face = drawn(start, map, rest());
+  const std::vector<render::ScreenPoint> seen = render::project(start.camera, test::head().neutral.points_mm);
+  for (const std::size_t first : {36u, 42u}) {  // each eye's six points
+    double x = 0, y = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      x += seen[test::head().landmarks68[first + i]].x_px / 6;
+      y += seen[test::head().landmarks68[first + i]].y_px / 6;
+    }
+    for (int dy = -5; dy <= 5; ++dy)
+      for (int dx = -11; dx <= 11; ++dx)
+        if (dx * dx / 121.0 + dy * dy / 25.0 <= 1)
+          std::fill_n(&face.pixels[static_cast<std::size_t>(3 * ((std::lround(y) + dy) * 320 + std::lround(x) + dx))],
+                      3, std::uint8_t{235});
+  }
+  const auto result = model::track_video(test::head_model(), face, start, map, {});
+  EXPECT_TRUE(result.fit.converged) << result.fit.problem;
+}
+
 TEST(TrackVideo, SaysThatTheFaceIsLost) {
   const auto result =
       model::track_video(test::head_model(), test::blank(320, 320, 255), true_fit(0), striped_map(), {});
