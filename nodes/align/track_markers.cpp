@@ -179,6 +179,7 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
   const Grey grey = grey_of(scan.picture);
   const int side = static_cast<int>(options.template_px);
   TrackMarkersResult result;
+  result.moved_px = {start.points.size(), 2, std::vector<double>(2 * start.points.size(), 0.0)};
   if (!before) {
     result.markers = start;
     result.templates = {std::max(side * static_cast<int>(start.points.size()), 1), side, 1, {}};
@@ -210,7 +211,8 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
         corners.push_back(
             {at.x - from.x_px + corner_of(from.x_px, side), at.y - from.y_px + corner_of(from.y_px, side)});
       const Template square(result.templates, i, side);
-      matches[i] = square.search(grey, corner_of(last.x_px, side), corner_of(last.y_px, side),
+      matches[i] = square.search(grey, corner_of(last.x_px + before->moved_px.at(i, 0), side),
+                                 corner_of(last.y_px + before->moved_px.at(i, 1), side),
                                  static_cast<int>(options.search_px / 2) * neighbourhoods, corners);
       square.refine(grey, matches[i]);
     };
@@ -237,6 +239,10 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
                               " pixels at (", std::lround(at.x), ", ", std::lround(at.y), ")"));
       point.valid = matches[i].likeness >= options.least_likeness && inside;
       if (!point.valid) continue;
+      if (before->markers.points[i].valid) {
+        result.moved_px.at(i, 0) = at.x - point.x_px;
+        result.moved_px.at(i, 1) = at.y - point.y_px;
+      }
       point.x_px = at.x;
       point.y_px = at.y;
       if (again[i]) taken.push_back(at);
@@ -255,6 +261,7 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
       whole.y_px += std::round(right.y_px - whole.y_px);
       take_template(grey, whole, side, i, result.templates);
       result.markers.points[i] = {right.name, right.x_px, right.y_px, true};
+      result.moved_px.at(i, 0) = result.moved_px.at(i, 1) = 0;
     }
   for (const Landmark& point : result.markers.points)
     if (!point.valid) result.report += (result.report.empty() ? "" : " ") + point.name;

@@ -7,6 +7,7 @@
 #include "nodes/types/depth_scan.h"
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 
 namespace face::align {
 
@@ -19,20 +20,22 @@ struct TrackMarkersOptions {
 struct TrackMarkersResult {
   Landmarks markers;
   Image templates;     // grey: the start markers' squares side by side, as they were taken
+  Matrix moved_px;     // markers x 2: how far each went since the frame before; 0 where it was or is lost
   std::string report;  // names of markers that are lost in this frame, separated by spaces; empty where none is
 };
 
 // Follows markers through a take by template matching (Bargmann, Blanz and Seidel, section 3.1): squares of 10 x 10
-// pixels about the start points are found again in a neighbourhood of 20 x 20 pixels about the place in the frame
-// before, where the sum of squared differences is least. The search is over whole pixels in integers, exact; the place
-// between pixels is found by Gauss-Newton steps on the same sum, freed of gain and offset of light. A marker whose
-// template is unlike what is found (zero-mean normalised correlation below least_likeness), or that leaves the picture,
-// is lost: not valid, at its last good place, and looked for there in twice the neighbourhood. A warning names one that
-// leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the one that is
-// more like it, and the other is looked for in twice the neighbourhood, beside the dots that are taken. Differs from
-// the paper: templates stay those of the first frame, so that errors do not add up. start: the points on the first
-// frame of the take. correction: points put right on this frame, by name; the template is taken anew there. before:
-// this node's result of the frame before.
+// pixels about the start points are found again in a neighbourhood of 20 x 20 pixels about the place to which they go
+// on moving as they did, where the sum of squared differences is least. The search is over whole pixels in integers,
+// exact; the place between pixels is found by Gauss-Newton steps on the same sum, freed of gain and offset of light. A
+// marker whose template is unlike what is found (zero-mean normalised correlation below least_likeness), or that leaves
+// the picture, is lost: not valid, at its last good place, and looked for there in twice the neighbourhood. A warning
+// names one that leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the
+// one that is more like it, and the other is looked for in twice the neighbourhood, beside the dots that are taken.
+// Differs from the paper: the neighbourhood goes along with the marker, since a jaw falls farther from frame to frame
+// than half of it; templates stay those of the first frame, so that errors do not add up. start: the points on the
+// first frame of the take. correction: points put right on this frame, by name; the template is taken anew there.
+// before: this node's result of the frame before.
 TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
                                  const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options,
                                  engine::Progress& progress);

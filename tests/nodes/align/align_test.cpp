@@ -66,6 +66,19 @@ class Heard : public engine::Progress {
   std::vector<std::string> texts;
 };
 
+// Equal dots of 3 px on skin that grows lighter to the right.
+DepthScan dotted_scan(const std::vector<std::pair<double, double>>& dots) {
+  DepthScan scan;
+  scan.picture = {96, 96, 1, {}};
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 96; ++x) {
+      double light = 90 + 0.1 * x;
+      for (const auto& [dot_x, dot_y] : dots) light += 120 / (1 + std::exp(2 * (std::hypot(x - dot_x, y - dot_y) - 3)));
+      scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::min(light, 255.0))));
+    }
+  return scan;
+}
+
 }  // namespace
 
 TEST(TrackMarkers, FollowsMarkersToTwentiethsOfAPixelAndLosesNone) {
@@ -112,37 +125,41 @@ TEST(TrackMarkers, NamesAMarkerThatLeavesThePictureAndKeepsTheRest) {
 
 // Two equal dots, 12 px apart, of a jaw that drops by 11: the upper one's new place is nearly the lower one's old.
 TEST(TrackMarkers, DoesNotFollowTheDotOfAnotherMarker) {
-  const auto picture = [](const std::vector<std::pair<double, double>>& dots) {
-    DepthScan scan;
-    scan.picture = {96, 96, 1, {}};
-    for (int y = 0; y < 96; ++y)
-      for (int x = 0; x < 96; ++x) {
-        double light = 90 + 0.1 * x;
-        for (const auto& [dot_x, dot_y] : dots)
-          light += 120 / (1 + std::exp(2 * (std::hypot(x - dot_x, y - dot_y) - 3)));
-        scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::min(light, 255.0))));
-      }
-    return scan;
-  };
   const Landmarks start{{{"lip", 40, 30, true}, {"chin", 40, 42, true}}};
-  TrackMarkersResult result = track_markers(picture({{40, 30}, {40, 42}}), start, nullptr, {}, {}, quiet);
+  TrackMarkersResult result = track_markers(dotted_scan({{40, 30}, {40, 42}}), start, nullptr, {}, {}, quiet);
   const auto next = [&](const DepthScan& scan) {
     const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
     result = track_markers(scan, start, nullptr, before, {}, quiet);
   };
-  next(picture({{40, 34}, {40, 53}}));
+  next(dotted_scan({{40, 34}, {40, 53}}));
   EXPECT_EQ(result.report, "");
   EXPECT_NEAR(result.markers.points[0].y_px, 34, 0.1);
   EXPECT_NEAR(result.markers.points[1].y_px, 53, 0.1);
   // A dot that turns out of sight is lost, whatever is near, and found again when it comes back.
-  next(picture({{40, 40}}));
+  next(dotted_scan({{40, 40}}));
   EXPECT_EQ(result.report, "chin");
   EXPECT_NEAR(result.markers.points[0].y_px, 40, 0.1);
-  next(picture({{40, 46}}));
+  next(dotted_scan({{40, 46}}));
   EXPECT_EQ(result.report, "chin");
-  next(picture({{40, 44}, {40, 56}}));
+  next(dotted_scan({{40, 44}, {40, 56}}));
   EXPECT_EQ(result.report, "");
   EXPECT_NEAR(result.markers.points[1].y_px, 56, 0.1);
+}
+
+// From 12 px per scan on each dot's place is where the other one was.
+TEST(TrackMarkers, FollowsAJawThatFallsFartherThanTheSearchReaches) {
+  const Landmarks start{{{"lip", 40, 12, true}, {"chin", 40, 24, true}}};
+  TrackMarkersResult result = track_markers(dotted_scan({{40, 12}, {40, 24}}), start, nullptr, {}, {}, quiet);
+  double y = 12;
+  for (const double fall : {4.0, 8.0, 12.0, 13.0, 9.0}) {
+    y += fall;
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(dotted_scan({{40, y}, {40, y + 12}}), start, nullptr, before, {}, quiet);
+    EXPECT_EQ(result.report, "");
+    EXPECT_NEAR(result.markers.points[0].y_px, y, 0.1);
+    EXPECT_NEAR(result.markers.points[1].y_px, y + 12, 0.1);
+    EXPECT_NEAR(result.moved_px.at(0, 1), fall, 0.1);
+  }
 }
 
 TEST(TrackMarkers, TakesACorrection) {
