@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t n = tile_lanes;
 using Lanes [[gnu::vector_size(64), gnu::aligned(8)]] = double;
+using Four [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 
 // sin x / x and (1 - cos x) / x^2 as series in s = x^2 <= 2: the first term left out is below 1e-17 of the sum.
 void series(const Lanes& s, Lanes& sine, Lanes& cosine) {
@@ -27,12 +28,16 @@ void blend_tile(const MeshSpace& space, std::size_t tile, const double* weights,
   const auto examples = tile < moving_tile_count(space) ? static_cast<std::size_t>(space.example_count) : 0;
   const double* q = &space.frames[tile * 6 * n];
   const double* parts = space.blends.data() + tile * examples * 9 * n;
-  const auto lanes = [](const double* from) -> const Lanes& { return *reinterpret_cast<const Lanes*>(from); };
   Lanes sum[9];
-  for (std::size_t c = 0; c < 3; ++c) sum[c] = Lanes{};
-  for (std::size_t c = 0; c < 6; ++c) sum[3 + c] = lanes(q + c * n);
-  for (std::size_t i = 0; i < examples; ++i)
-    for (std::size_t c = 0; c < 9; ++c) sum[c] += weights[i] * lanes(parts + (i * 9 + c) * n);
+  // Half of the lanes at a time: nine sums of eight numbers do not fit into the registers.
+  for (std::size_t first = 0; first < n; first += 4) {
+    const auto four = [&](const double* from) -> const Four& { return *reinterpret_cast<const Four*>(from + first); };
+    Four part[9] = {};
+    for (std::size_t c = 0; c < 6; ++c) part[3 + c] = four(q + c * n);
+    for (std::size_t i = 0; i < examples; ++i)
+      for (std::size_t c = 0; c < 9; ++c) part[c] += weights[i] * four(parts + (i * 9 + c) * n);
+    for (std::size_t c = 0; c < 9; ++c) *reinterpret_cast<Four*>(reinterpret_cast<double*>(&sum[c]) + first) = part[c];
+  }
 
   const Lanes& x = sum[0];
   const Lanes& y = sum[1];
