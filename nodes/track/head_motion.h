@@ -14,6 +14,9 @@ namespace face::track {
 // the inner corners of the eyes. Empty where the points do not say where these and the tip of the nose are.
 Image learn_head(const Grey& grey, const Landmarks& start);
 
+// Likeness from which on a head is taken for seen.
+constexpr double head_is_seen = 0.45;
+
 struct HeadSight {
   HeadPose pose;        // since the start
   double likeness = 0;  // to what was learnt: 1 the same, 0 no more than any picture; what differs much counts less

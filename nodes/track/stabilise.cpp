@@ -8,6 +8,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/find_landmark.h"
+#include "nodes/track/head_motion.h"
 #include "nodes/track/solid_head.h"
 
 namespace face::track {
@@ -27,7 +28,6 @@ struct Pair {
 // Of the whole head's pose: on phantoms who turn and nod it is off by up to a degree sideways, in nods, which
 // raised brows look like, by one to two degrees and in scale by 1 to 3 %.
 constexpr HeadPose head_deviation{.nod = 0.03, .turn = 0.02, .tilt = 0.02, .log_scale = 0.03};
-constexpr double least_likeness = 0.45;  // as where track_klt.cpp takes a head for seen
 
 // The rigid points of a frame, in the order of their names.
 struct RigidPoints {
@@ -106,7 +106,7 @@ std::optional<LikelyPose> likely_pose(const Matrix* head) {
         ", expected 7 x 1 as track.klt gives it");
   const std::vector<double>& n = head->values;
   for (const double number : n) check(std::isfinite(number), "head has ", number, ", expected finite numbers");
-  if (n[6] < least_likeness) return std::nullopt;
+  if (n[6] < head_is_seen) return std::nullopt;
   return LikelyPose{{n[0], n[1], n[2], n[3], n[4], n[5]}, head_deviation};
 }
 

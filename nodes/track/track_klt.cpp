@@ -110,10 +110,9 @@ Seen seen_before(const std::vector<Landmark>& points) {
 std::vector<Sighting> follow_head(Knowledge& known, const Grey& now, std::vector<Sighting> places,
                                   TrackKltResult& result) {
   if (result.head_look.pixels.empty()) return places;
-  constexpr double least_likeness = 0.45;
   const HeadPose before = pose_of(result.head);
   const HeadSight sight = find_head(now, known.start, result.head_look, before);
-  if (sight.likeness < least_likeness) return places;
+  if (sight.likeness < head_is_seen) return places;
   result.head = head_numbers(sight);
   known.bonds.head = head_at(sight.pose, known.start);
   return go_along(known, head_at(before, known.start), *known.bonds.head, std::move(places));
