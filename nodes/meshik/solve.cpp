@@ -120,7 +120,7 @@ struct MeshIkSolver::State {
 
   // J of a block of moving tiles, for each axis: two rows a triangle, `width` columns.
   struct Derivatives {
-    static constexpr std::size_t tiles = 16;
+    static constexpr std::size_t tiles = 16;  // whose rows stay in the cache
     std::array<std::vector<float>, 3> rows;
 
     // Returns how many triangles these are.

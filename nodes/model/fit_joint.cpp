@@ -85,6 +85,8 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
   fit.lip_gap_mm = lip_gap_of(*joint.model, fit.expression);
   const FitLandmarksOptions limits;
   const double found = likeness({*joint.model, joint.basis, joint.identity, picture.state, picture.eyes_px}, small);
+  const double most_image_rms =
+      joint.options.max_image_rms * (found >= sure_likeness && fit.landmark_nme <= limits.max_nme ? hard_look : 1);
   if (rows.visible < 200)
     fit.problem = "less than 200 pixels of skin are seen: use a larger picture, or check the points";
   else if (turn_deg(picture.state.pose) > limits.max_turn_deg)
@@ -96,11 +98,10 @@ void report(Joint& joint, std::size_t index, const PictureLevel& level, const Pi
   else if (rows.dark > extreme_share)
     fit.problem =
         message(std::lround(100 * rows.dark), " % of the face is all but black: use a picture with more light");
-  else if (fit.image_rms >
-           joint.options.max_image_rms * (found >= sure_likeness && fit.landmark_nme <= limits.max_nme ? hard_look : 1))
+  else if (fit.image_rms > most_image_rms)
     fit.problem =
         message("model and picture differ by ", std::lround(100 * fit.image_rms), " % of the scale, expected at most ",
-                std::lround(100 * joint.options.max_image_rms), " %: is there a face at the points?");
+                std::lround(100 * most_image_rms), " %: is there a face at the points?");
   else if (fit.landmark_nme > limits.max_nme)
     fit.problem = message("the points lie ", std::lround(1000 * fit.landmark_nme) / 10.0,
                           " % of the eye distance off, expected at most ", 100 * limits.max_nme,

@@ -163,6 +163,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
   const Vec3 light_in_camera = vec(state.light.direction);
   const Vec3 light = rotation.transpose() * light_in_camera;
   const auto light_turns = tangents(light_in_camera);
+  const bool is_shaded = columns.shading || state.shading != std::array<double, shading_parameters>{};
   const Vec3 eye = vec(camera.position_mm);
   const std::size_t shapes = basis.shapes();
   std::size_t overexposed = 0, dark = 0;
@@ -236,7 +237,8 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     rows.jacobian.resize(first_row + 3 * rows.columns, 0.0f);
     float* const out = rows.jacobian.data() + first_row;
     const Vec3 normal_in_camera = rotation * normal;
-    const auto shading = shading_at({normal_in_camera.x(), normal_in_camera.y(), normal_in_camera.z()});
+    std::array<double, shading_parameters> shading{};
+    if (is_shaded) shading = shading_at({normal_in_camera.x(), normal_in_camera.y(), normal_in_camera.z()});
     double brighter = 0;
     for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
     const Vec3 swing = normal_in_camera.cross(light_in_camera);  // d cosine by a turn of the head

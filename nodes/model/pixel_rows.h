@@ -20,8 +20,8 @@ struct PictureLevel {
   std::vector<std::array<float, 9>> samples;  // per pixel: R G B, then d/dx of them, then d/dy
 };
 
-// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are divided
-// by.
+// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are
+// divided by.
 PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
 
 // What no light of one direction explains, highlights above all, changes slowly with the direction of the normal:

@@ -7,6 +7,7 @@
 #include <complex>
 #include <vector>
 
+#include "nodes/base/check.h"
 #include "nodes/track/head_raster.h"
 
 namespace face::track {
@@ -109,13 +110,9 @@ Scale scale_of(const Grey& grey, const RasterFrame& frame, const Image& learnt, 
   return scale;
 }
 
-Numbers numbers_of(const HeadPose& pose) {
-  Numbers numbers;
-  numbers << pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px;
-  return numbers;
-}
+Numbers numbers_of(const HeadPose& pose) { return Numbers(pose_numbers(pose).data()); }
 
-HeadPose pose_of(const Numbers& n) { return {n[0], n[1], n[2], n[3], n[4], n[5]}; }
+HeadPose pose_of(const Numbers& n) { return track::pose_of({n[0], n[1], n[2], n[3], n[4], n[5]}); }
 
 // The solid's origin is the middle between the eyes: knots are counted from there.
 SolidHead solid_of(const Numbers& numbers) { return solid_head(pose_of(numbers), {0, 0, 0}); }
@@ -261,6 +258,24 @@ HeadSight find_head(const Grey& grey, const Landmarks& start, const Image& learn
     if (other.likeness > sight.likeness) sight = other;
   }
   return sight;
+}
+
+Matrix head_numbers(const HeadSight& sight) {
+  const std::array<double, 6> pose = pose_numbers(sight.pose);
+  Matrix head{7, 1, {pose.begin(), pose.end()}};
+  head.values.push_back(sight.likeness);
+  return head;
+}
+
+HeadSight head_sight(const Matrix& head) {
+  check(head.rows == 7 && head.columns == 1 && head.values.size() == 7, "head is ", head.rows, " x ", head.columns,
+        head.values.size() == head.rows * head.columns ? "" : " with another number of values",
+        ", expected 7 x 1 as track.klt gives it");
+  for (const double number : head.values)
+    check(std::isfinite(number), "head has ", number, ", expected finite numbers");
+  std::array<double, 6> pose;
+  std::copy_n(head.values.begin(), pose.size(), pose.begin());
+  return {pose_of(pose), head.values.back()};
 }
 
 HeadPose start_pose(const Landmarks& start) {

@@ -7,6 +7,7 @@
 #include "nodes/track/solid_head.h"
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 
 namespace face::track {
 
@@ -30,6 +31,10 @@ struct HeadSight {
 // which tells a turn from a step aside; there is one template, that of the start, so that nothing drifts; both pictures
 // are freed from local brightness and contrast first, so that light that changes with the turn is not motion.
 HeadSight find_head(const Grey& grey, const Landmarks& start, const Image& learnt, const HeadPose& from);
+
+// As a value of a graph, 7 x 1: the pose's numbers and the likeness; and back. Throws where it is something else.
+Matrix head_numbers(const HeadSight& sight);
+HeadSight head_sight(const Matrix& head);
 
 // Its pose at the start.
 HeadPose start_pose(const Landmarks& start);

@@ -11,11 +11,7 @@ using Place = std::complex<double>;
 using Pose = Eigen::Matrix<double, 6, 1>;  // nod, turn, tilt, log of scale, place
 using Turn = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-Pose numbers_of(const HeadPose& pose) {
-  Pose numbers;
-  numbers << pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px;
-  return numbers;
-}
+Pose numbers_of(const HeadPose& pose) { return Pose(pose_numbers(pose).data()); }
 
 Turn turn_of(const Pose& pose) {
   using Axis = Eigen::Vector3d;
@@ -25,6 +21,15 @@ Turn turn_of(const Pose& pose) {
 }
 
 }  // namespace
+
+std::array<double, 6> pose_numbers(const HeadPose& pose) {
+  return {pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px};
+}
+
+HeadPose pose_of(const std::array<double, 6>& numbers) {
+  const auto [nod, turn, tilt, log_scale, x_px, y_px] = numbers;
+  return {nod, turn, tilt, log_scale, x_px, y_px};
+}
 
 Place SolidHead::seen(Place at_rest, double depth_px) const {
   const double x = at_rest.real() - origin_px[0], y = at_rest.imag() - origin_px[1], z = depth_px - origin_px[2];

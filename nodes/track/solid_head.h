@@ -23,6 +23,10 @@ struct HeadPose {
   double x_px = 0, y_px = 0;
 };
 
+// The numbers of a pose, in the order in which it names them, and back.
+std::array<double, 6> pose_numbers(const HeadPose& pose);
+HeadPose pose_of(const std::array<double, 6>& numbers);
+
 // A head that a camera far away sees: scaled orthographic projection of a solid.
 struct SolidHead {
   std::array<double, 3> origin_px = {0, 0, 0};               // a place at rest, that is seen at place_px

@@ -101,13 +101,9 @@ std::vector<Pair> pairs_of(const RigidPoints& here, const Landmarks& rest, const
 
 std::optional<LikelyPose> likely_pose(const Matrix* head) {
   if (head == nullptr || head->values.empty()) return std::nullopt;  // nobody knows the head
-  check(head->rows == 7 && head->columns == 1 && head->values.size() == 7, "head is ", head->rows, " x ", head->columns,
-        head->values.size() == head->rows * head->columns ? "" : " with another number of values",
-        ", expected 7 x 1 as track.klt gives it");
-  const std::vector<double>& n = head->values;
-  for (const double number : n) check(std::isfinite(number), "head has ", number, ", expected finite numbers");
-  if (n[6] < head_is_seen) return std::nullopt;
-  return LikelyPose{{n[0], n[1], n[2], n[3], n[4], n[5]}, head_deviation};
+  const HeadSight sight = head_sight(*head);
+  if (sight.likeness < head_is_seen) return std::nullopt;
+  return LikelyPose{sight.pose, head_deviation};
 }
 
 }  // namespace

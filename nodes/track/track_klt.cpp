@@ -46,16 +46,6 @@ void check_inputs(const engine::Window<Image>& frames, const Landmarks& start, c
         prior->landmarks.points.size(), " points, start has ", start.points.size());
 }
 
-Matrix head_numbers(const HeadSight& sight) {
-  const HeadPose& pose = sight.pose;
-  return {7, 1, {pose.nod, pose.turn, pose.tilt, pose.log_scale, pose.x_px, pose.y_px, sight.likeness}};
-}
-
-HeadPose pose_of(const Matrix& head) {
-  const std::vector<double>& n = head.values;
-  return {n[0], n[1], n[2], n[3], n[4], n[5]};
-}
-
 TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now) {
   TrackKltResult result;
   result.followed = result.layout = known.start;
@@ -110,7 +100,7 @@ Seen seen_before(const std::vector<Landmark>& points) {
 std::vector<Sighting> follow_head(Knowledge& known, const Grey& now, std::vector<Sighting> places,
                                   TrackKltResult& result) {
   if (result.head_look.pixels.empty()) return places;
-  const HeadPose before = pose_of(result.head);
+  const HeadPose before = head_sight(result.head).pose;
   const HeadSight sight = find_head(now, known.start, result.head_look, before);
   if (sight.likeness < head_is_seen) return places;
   result.head = head_numbers(sight);
