@@ -65,25 +65,25 @@ std::vector<double> lip_shape(const Landmarks& here, const std::vector<LandmarkV
   return shape;
 }
 
-// The most frames in a row whose lips have the shape of rest's.
-int longest_rest(const Rig& rig, const engine::Seq<Landmarks>& landmarks, const Landmarks& rest,
-                 const std::vector<LandmarkVertex>& places) {
+// How many frames are part of at least `in_a_row` whose lips have the shape of rest's.
+int count_resting(const Rig& rig, const engine::Seq<Landmarks>& landmarks, const Landmarks& rest,
+                  const std::vector<LandmarkVertex>& places, int in_a_row) {
   constexpr double alike = 0.025;  // of the mouth's width
   Landmarks all = rest;
   for (Landmark& point : all.points) point.valid = true;
   const std::vector<double> wanted = lip_shape(all, places, rig);
   double low = 0, high = 0;
   for (std::size_t i = 0; i < wanted.size(); i += 2) low = std::min(low, wanted[i]), high = std::max(high, wanted[i]);
-  int longest = 0, run = 0;
+  int resting = 0, run = 0;
   for (std::size_t t = 0; t < landmarks.size(); ++t) {
     const std::vector<double> shape = lip_shape(*landmarks.at(t), places, rig);
     double sum = 0;
     for (std::size_t i = 0; i < shape.size(); ++i)
       sum += 2 * std::pow(shape[i] - wanted[i], 2) / static_cast<double>(shape.size());
     run = !shape.empty() && std::sqrt(sum) <= alike * (high - low) ? run + 1 : 0;
-    longest = std::max(longest, run);
+    if (run >= in_a_row) resting += run == in_a_row ? run : 1;
   }
-  return longest;
+  return resting;
 }
 
 std::vector<double> median_of_three(const std::vector<double>& values) {
@@ -115,7 +115,8 @@ Landmarks raise_jaw(const Rig& rig, const engine::Seq<Landmarks>& landmarks, con
         std::count_if(here->points.begin(), here->points.end(), [](const Landmark& p) { return !p.valid; });
     if (lost <= options.max_lost) jaws.push_back(jaw_of(fit, places, *here, rest, mm_per_px, least));
   }
-  if (jaws.empty() || longest_rest(rig, landmarks, rest, places) >= options.rest_frames) return rest;
+  const int resting = count_resting(rig, landmarks, rest, places, options.rest_frames);
+  if (jaws.empty() || resting > options.highest_share * static_cast<double>(landmarks.size())) return rest;
   jaws = median_of_three(jaws);
   std::sort(jaws.begin(), jaws.end());
   const auto above =

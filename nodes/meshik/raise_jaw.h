@@ -11,7 +11,7 @@ struct RaiseJawOptions {
   double highest_share = 0.01;  // of the frames: so many may have the jaw above the rest
   double most = 0.15;           // how far the jaw is raised at most, in weights of the rig's jawOpen
   int max_lost = 3;             // frames that lost more landmarks do not count
-  int rest_frames = 12;         // so many in a row with the mouth as it is in `rest` are a rest: nothing is raised
+  int rest_frames = 12;         // so many in a row with the mouth as it is in `rest` are a rest
 };
 
 // The landmarks of a mouth at rest, from those of a shut mouth and of everything that was said. Nobody rests in the
@@ -23,7 +23,8 @@ struct RaiseJawOptions {
 // `rest` is raised by as much with lips that stay together: jawOpen and mouthClose in the proportion that leaves the
 // middle of the rig's lips where they are. rest comes back as it is where no frame has the jaw higher, where the rig
 // has no jawOpen or no mouthClose, and where somebody does rest: where the lips keep the shape that they have in it (to
-// a 40th of the mouth's width, root mean square) for longer than any closure lasts. landmarks: of a head that stands
+// a 40th of the mouth's width, root mean square) for rest_frames and longer, in more than highest_share of all frames
+// (one closure hardly lasts so long; in ten minutes some that follow each other do). landmarks: of a head that stands
 // still (track.stabilise), as those of rest.
 Landmarks raise_jaw(const Rig& rig, const engine::Seq<Landmarks>& landmarks, const Landmarks& rest,
                     const Visemes* visemes, const RaiseJawOptions& options = {});

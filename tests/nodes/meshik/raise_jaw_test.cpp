@@ -92,6 +92,17 @@ TEST(RaiseJaw, BelievesAMouthThatRestsLongerThanAnyClosure) {
   EXPECT_EQ(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), rest, nullptr), rest), 0);
 }
 
+TEST(RaiseJaw, TakesAFewClosuresThatFollowEachOtherInALongClipForNoRest) {
+  const Rig rig = speaking_rig();
+  const Landmarks shut = seen(rig, 0.1f, 0.1f, 0), truth = seen(rig, 0, 0, 0);
+  std::vector<Landmarks> frames(14, shut);
+  for (int minute = 0; minute < 31; ++minute)
+    for (const Landmarks& frame : speech(rig)) frames.push_back(frame);
+  EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), shut, nullptr), truth), 0.8);
+  frames.resize(1300);
+  EXPECT_EQ(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), shut, nullptr), shut), 0);
+}
+
 TEST(RaiseJaw, LeavesARestThatIsOne) {
   const Rig rig = speaking_rig();
   const Landmarks rest = seen(rig, 0, 0, 0);
