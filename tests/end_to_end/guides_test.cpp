@@ -221,14 +221,12 @@ TEST_F(Guides, ExperimentsRun) {
 
 TEST_F(Guides, TheFirstHourEndsWithAHeadThatSaysARecording) {
   make_material();
-  write("script.txt", read("line.txt"));
   follow({.file = "docs/first-hour.md",
           .settings = "facegraph plan talk.json --set text=line.txt --set rig=head.glb",
           .instead = {{"./demo", ""},
                       {"export PATH=$PWD/build/release/bin:$PATH", ""},
                       {"sudo apt install ./facegraph_0.1.0_amd64.deb", ""},
-                      {"cd mine", "cd mine; cp ../line.wav ."},
-                      {"echo \"My name is Bob, and I move my mouth.\" > line.txt", "cp ../line.txt ."},  // what is said
+                      {"cd mine", "cd mine; cp ../line.wav ../line.txt ."},
                       {"facegraph get talk.json speak.worst_closure_mm ...",
                        "facegraph get talk.json speak.worst_closure_mm --set text=line.txt"},
                       {"--set names=...", ""},
