@@ -65,6 +65,29 @@ engine::SeqWriter<T> into(std::vector<T>& list) {
   return engine::SeqWriter<T>([&list](std::string, T value) { list.push_back(std::move(value)); });
 }
 
+CylinderScan plain_cylinder(float radius_mm, std::uint8_t level) {
+  CylinderScan scan;
+  scan.picture = {512, 200, 3, std::vector<std::uint8_t>(512 * 200 * 3, level)};
+  scan.radius_mm.assign(512 * 200, radius_mm);
+  scan.top_mm = 60;
+  return scan;
+}
+
+// A flat white eye of 16 rows (from 24) between dark lids, whose outermost rows have a level of their own.
+DepthScan open_eye(std::uint8_t edge_level) {
+  DepthScan scan;
+  scan.camera.focal_px = 200;
+  scan.camera.position_mm = {0, 0, 200};
+  scan.camera.centre_x_px = scan.camera.centre_y_px = 31.5f;
+  scan.depth_mm.assign(64 * 64, 200);
+  scan.picture = {64, 64, 1, {}};
+  for (int y = 0; y < 64; ++y) {
+    const bool eye = y >= 24 && y < 40, edge = y == 23 || y == 40;
+    scan.picture.pixels.insert(scan.picture.pixels.end(), 64, eye ? 220 : edge ? edge_level : 90);
+  }
+  return scan;
+}
+
 }  // namespace
 
 TEST(LipSides, AreToldByTheOpeningAndTheWayAroundIt) {
@@ -243,10 +266,7 @@ TEST(Resample, TakesPointsAndColoursAndFillsInBetween) {
 TEST(ResampleScan, TakesTheScansOwnShape) {
   // The scan is 3 mm farther out than the model that was fitted to it.
   const Mesh mesh = sheet(0);
-  CylinderScan scan;
-  scan.picture = {512, 200, 3, std::vector<std::uint8_t>(512 * 200 * 3, 100)};
-  scan.radius_mm.assign(512 * 200, 93);
-  scan.top_mm = 60;
+  const CylinderScan scan = plain_cylinder(93, 100);
   const SurfaceMap places = look_up(model_of(mesh), {mesh.points_mm}, mesh, {mesh.points_mm}, {});
   const ResampleScanResult result =
       resample_scan(places, rig_of(mesh), {mesh.points_mm}, scan, nullptr, nullptr, mesh, {mesh.points_mm});
@@ -256,10 +276,7 @@ TEST(ResampleScan, TakesTheScansOwnShape) {
 
 TEST(ResampleScan, ColoursAHoleOfTheScanAsWhatIsAboutIt) {
   const Mesh mesh = sheet(0);
-  CylinderScan scan;
-  scan.picture = {512, 200, 3, std::vector<std::uint8_t>(512 * 200 * 3, 60)};
-  scan.radius_mm.assign(512 * 200, 90);
-  scan.top_mm = 60;
+  CylinderScan scan = plain_cylinder(90, 60);
   const SurfaceMap places = look_up(model_of(mesh), {mesh.points_mm}, mesh, {mesh.points_mm}, {});
   const auto colours = [&] {
     return resample_scan(places, rig_of(mesh), {mesh.points_mm}, scan, nullptr, nullptr, mesh, {mesh.points_mm})
@@ -527,14 +544,7 @@ TEST(DrawTexture, OfTheRightShapeIsTheFramesOwnPicture) {
 }
 
 TEST(DrawTexture, ShowsNoLineOfAnEyeThatIsShut) {
-  DepthScan reference;
-  reference.camera.focal_px = 200;
-  reference.camera.position_mm = {0, 0, 200};
-  reference.camera.centre_x_px = reference.camera.centre_y_px = 31.5f;
-  reference.depth_mm.assign(64 * 64, 200);
-  reference.picture = {64, 64, 1, {}};
-  for (int y = 0; y < 64; ++y)  // a white eye of 16 rows between dark lids
-    for (int x = 0; x < 64; ++x) reference.picture.pixels.push_back(y >= 24 && y < 40 ? 220 : 90);
+  const DepthScan reference = open_eye(90);
   const Mesh mesh = model::scan_mesh(reference);
   MeshPoints shut{mesh.points_mm};
   for (Vec3f& p : shut.points_mm)  // they meet in the middle of a row of pixels
@@ -555,17 +565,7 @@ TEST(DrawTexture, ShowsNoLineOfAnEyeThatIsShut) {
 
 // In the reference the lids' edges are half white: their pixels see lid and eye.
 TEST(DrawTexture, ShowsNothingOfTheEyeThatIsMixedIntoALidsEdge) {
-  DepthScan reference;
-  reference.camera.focal_px = 200;
-  reference.camera.position_mm = {0, 0, 200};
-  reference.camera.centre_x_px = reference.camera.centre_y_px = 31.5f;
-  reference.depth_mm.assign(64 * 64, 200);
-  reference.picture = {64, 64, 1, {}};
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x) {
-      const bool eye = y >= 24 && y < 40, edge = y == 23 || y == 40;
-      reference.picture.pixels.push_back(eye ? 220 : edge ? 155 : 90);
-    }
+  const DepthScan reference = open_eye(155);
   const Mesh mesh = model::scan_mesh(reference);
   MeshPoints shut{mesh.points_mm};
   for (Vec3f& p : shut.points_mm) p[1] = p[1] > 8 ? p[1] - 9.3f : p[1] < -8 ? p[1] + 8.3f : p[1] / 100;
