@@ -38,6 +38,30 @@ cli::CommandTree tree_of(const CLI::App& app) {
   return tree;
 }
 
+// What was typed that cannot be understood, and the nearest word that can.
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, const cli::Common& common) {
+  const auto any = [](const CLI::App*) { return true; };
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::vector<std::string> rest = app.remaining(true);
+  const auto word =
+      std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
+  if (chosen.empty()) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands(any)) names.push_back(command->get_name());
+    if (word == rest.end()) return "expected one of the commands " + engine::listed(names);
+    for (const cli::PluginCommand& command : cli::plugin_commands(common)) names.push_back(command.name);
+    return "there is no command '" + *word + "'" + engine::did_you_mean(*word, names);
+  }
+  std::vector<std::string> options;
+  for (const cli::CommandTree& tree : {tree_of(app), tree_of(*chosen[0])})
+    for (const cli::CommandTree::Option& option : tree.options)
+      options.insert(options.end(), option.names.begin(), option.names.end());
+  for (const std::string& option : rest)
+    if (option.starts_with("-"))
+      return chosen[0]->get_name() + " has no option '" + option + "'" + engine::did_you_mean(option, options);
+  return chosen[0]->get_name() + ": " + (word == rest.end() ? error.what() : "found a word too much: '" + *word + "'");
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -223,20 +247,11 @@ int main(int count, char** words) {
   }
   try {
     app.parse(count, words);
-  } catch (const CLI::RequiredError& error) {
-    const std::vector<std::string> rest = app.remaining();
-    const auto word =
-        std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
-    if (word == rest.end() || !app.get_subcommands().empty()) return app.exit(error) == 0 ? cli::done : cli::invalid;
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-      names.push_back(command->get_name());
-    for (const cli::PluginCommand& command : cli::plugin_commands(common)) names.push_back(command.name);
-    std::fprintf(stderr, "command line: there is no command '%s'%s\nRun with --help for more information.\n",
-                 word->c_str(), engine::did_you_mean(*word, names).c_str());
-    return cli::invalid;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::done : cli::invalid;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    std::fprintf(stderr, "command line: %s\nRun with --help for more information.\n",
+                 what_is_wrong(app, error, common).c_str());
+    return cli::invalid;
   }
   try {
     if (*run_command) return cli::run(common, run);

@@ -241,7 +241,7 @@ int sweep(const Common& common, const SweepArguments& arguments) {
   }
   for (std::size_t m = 0; m < experiment.metrics.size(); ++m) {
     const engine::Reference& reference = experiment.metrics[m].reference;
-    std::vector<std::string> nodes, outputs;
+    std::vector<std::string> nodes, outputs;  // of all variants: their kinds may differ
     bool node_known = false, output_known = reference.output.empty();
     for (const Variant& variant : variants)
       for (const engine::GraphNode& node : variant.graph.nodes) {
@@ -249,14 +249,15 @@ int sweep(const Common& common, const SweepArguments& arguments) {
         if (node.id != reference.node) continue;
         node_known = true;
         output_known |= node.info->find_output(reference.output) >= 0;
-        for (const engine::OutputInfo& output : node.info->outputs) outputs.push_back(output.name);
+        for (const engine::OutputInfo& output : node.info->outputs)
+          if (std::find(outputs.begin(), outputs.end(), output.name) == outputs.end()) outputs.push_back(output.name);
       }
     const std::string start = "--metric " + experiment.metric_names[m] + ": ";
     if (!node_known)
       refuse(start + "the graph has no node '" + reference.node + "'" + engine::did_you_mean(reference.node, nodes));
     if (!output_known)
       refuse(start + "node '" + reference.node + "' has no output '" + reference.output + "'" +
-             engine::did_you_mean(reference.output, outputs));
+             engine::did_you_mean_of(reference.output, outputs));
   }
   std::set<std::string> notes;
   for (Variant& variant : variants) {

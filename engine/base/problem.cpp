@@ -51,4 +51,19 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
 }
 
+std::string listed(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? std::string(" ") + last + " " : ", ";
+    text += "'" + names[i] + "'";
+  }
+  return text;
+}
+
+std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names) {
+  const std::string nearest = did_you_mean(name, names);
+  if (!nearest.empty()) return nearest;
+  return names.empty() ? "; it has none" : "; it has " + listed(names);
+}
+
 }  // namespace engine

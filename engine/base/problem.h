@@ -42,4 +42,10 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 // " (did you mean 'levels'?)", or empty.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
+// "'a', 'b' and 'c'"
+std::string listed(const std::vector<std::string>& names, const char* last = "and");
+
+// Takes the place of did_you_mean() where names are few: the nearest one, else all there are: "; it has 'a' and 'b'".
+std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names);
+
 }  // namespace engine

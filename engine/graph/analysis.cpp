@@ -249,6 +249,7 @@ class Analysis {
       else
         outputs_.push_back(&output);
     }
+    for (const std::string& param : flat_.misspelt) any = any || causes.contains(param);
     if (any) return;
     std::string names;
     for (const std::string& cause : causes) names += (names.empty() ? "" : " or ") + ("--set " + cause + "=PATH");

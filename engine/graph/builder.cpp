@@ -31,21 +31,6 @@ bool parse_type(std::string_view text, std::string& type, int& depth) {
 
 }  // namespace
 
-std::string listed(const std::vector<std::string>& names, const char* last) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? std::string(" ") + last + " " : ", ";
-    text += "'" + names[i] + "'";
-  }
-  return text;
-}
-
-std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names) {
-  const std::string nearest = did_you_mean(name, names);
-  if (!nearest.empty()) return nearest;
-  return names.empty() ? "; it has none" : "; it has " + listed(names);
-}
-
 void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names,
                      std::vector<std::string>& missing) {
   std::size_t unclear = 0;
@@ -82,7 +67,7 @@ FlatGraph Builder::build(const GraphFile& file, Graph& graph) {
   link_nodes();
   FlatGraph flat;
   link_outputs(flat);
-  report_unused_settings();
+  report_unused_settings(flat);
   read_sweep(file.tree, graph.sweep);
   graph.notes = std::move(notes_);
   flat.nodes = std::move(nodes_);

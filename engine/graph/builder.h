@@ -90,7 +90,7 @@ class Builder {
   // builder_settings.cpp
   void read_settings(const std::vector<Setting>& settings);
   Given* find_setting(const std::string& node, const std::string& param);
-  void report_unused_settings();
+  void report_unused_settings(FlatGraph& flat);
 
   // builder_params.cpp
   void read_params(int scope, const JsonMember* embedding);
@@ -144,15 +144,9 @@ std::vector<std::string> keys_of(const Map& map) {
 // True for "${x}"; name gets the x.
 bool is_substitution(const std::string& text, std::string& name);
 
-// Takes the place of did_you_mean() where names are few: the nearest one, else all there are.
-std::string did_you_mean_of(std::string_view name, const std::vector<std::string>& names);
-
 // Which of some missing things are nobody's fault but a misspelt name's, so that one mistake is told once: the nearest
 // ones, and as many more as there are misspelt names without a nearest one.
 void forgive_missing(const std::vector<std::string>& misspelt, const std::vector<std::string>& names,
                      std::vector<std::string>& missing);
-
-// 'a', 'b' and 'c'.
-std::string listed(const std::vector<std::string>& names, const char* last = "and");
 
 }  // namespace engine

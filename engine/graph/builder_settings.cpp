@@ -26,7 +26,7 @@ Builder::Given* Builder::find_setting(const std::string& node, const std::string
   return nullptr;
 }
 
-void Builder::report_unused_settings() {
+void Builder::report_unused_settings(FlatGraph& flat) {
   std::vector<std::string> node_ids;
   for (const FlatNode& node : nodes_) node_ids.push_back(node.id);
   for (std::size_t i = 1; i < scopes_.size(); ++i)
@@ -36,8 +36,9 @@ void Builder::report_unused_settings() {
       if (setting.used) continue;
       const Place place{command_line_.shown, 0, 0, setting.pointer};
       if (node.empty()) {
-        problem(place, "the graph has no parameter '" + setting.name + "'" +
-                           did_you_mean_of(setting.name, keys_of(scopes_[0].params)));
+        const std::vector<std::string> params = keys_of(scopes_[0].params);
+        problem(place, "the graph has no parameter '" + setting.name + "'" + did_you_mean_of(setting.name, params));
+        flat.misspelt.push_back(nearest_name(setting.name, params));
         continue;
       }
       std::vector<std::string> names;

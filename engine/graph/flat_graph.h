@@ -51,7 +51,8 @@ struct FlatGraph {
   std::vector<FlatNode> nodes;
   std::vector<FlatOutput> outputs;
   std::vector<InputCheck> input_checks;
-  bool outputs_reported = false;  // that there is no output has been said
+  bool outputs_reported = false;      // that there is no output has been said
+  std::vector<std::string> misspelt;  // parameters that settings mean but do not spell, which has been said
 };
 
 // The nodes with producers before consumers, else as written. Rings are reported, each once; on_ring (one per node)

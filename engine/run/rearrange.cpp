@@ -91,14 +91,15 @@ void Rearrangement::list_files() {
     session_.fail_tree(output_);
   };
   Tree* folder = inputs_[0][0];
-  if (!folder->source || !folder->value.as<File>().is_folder()) return fail("its input 'folder' is no folder");
+  if (!folder->source) return fail("its input 'folder' is made by a node, expected a folder of yours");
+  const File held = folder->value.as<File>();
+  if (!held.is_folder()) return fail("its input 'folder' is the file " + held.path() + ", expected a folder");
   const std::string pattern = std::get<std::string>(graph_node.params[0]);
   struct Entry {
     std::string id;
     const File::Entry* file;
   };
   std::vector<Entry> entries;
-  const File held = folder->value.as<File>();
   for (const File::Entry& file : held.entries()) {
     if (file.name.find('/') != std::string::npos || !matches(pattern, file.name)) continue;
     const std::size_t dot = file.name.find_last_of('.');

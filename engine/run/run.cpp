@@ -98,7 +98,7 @@ GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Ref
       std::vector<std::string> names;
       for (const OutputInfo& info : node.info->outputs) names.push_back(info.name);
       throw std::invalid_argument("node '" + reference.node + "' has no output '" + reference.output + "'" +
-                                  did_you_mean(reference.output, names));
+                                  did_you_mean_of(reference.output, names));
     }
   }
   const int depth = node.output_depth[static_cast<std::size_t>(output)];
@@ -107,6 +107,7 @@ GotValue get_value(const Graph& graph, Plugins& plugins, Store& store, const Ref
                                 reference.node + "' is " +
                                 (depth == 0 ? "one value" : "a sequence " + std::to_string(depth) + " deep") +
                                 ", so it is named " + reference.node +
+                                (reference.output.empty() ? "" : "." + reference.output) +
                                 (depth == 0   ? ""
                                  : depth == 1 ? "[ID]"
                                               : "[ID/ID]"));

@@ -26,7 +26,13 @@ int find_or_throw(const Graph& graph, const std::string& id) {
   const int index = graph.find_node(id);
   if (index >= 0) return index;
   std::vector<std::string> names;
-  for (const GraphNode& node : graph.nodes) names.push_back(node.id);
+  std::string inside;
+  for (const GraphNode& node : graph.nodes) {
+    names.push_back(node.id);
+    if (node.id.starts_with(id + "/")) inside += (inside.empty() ? "" : ", ") + node.id;
+  }
+  if (!inside.empty())
+    throw std::invalid_argument("'" + id + "' is a subgraph, expected one of its nodes: " + inside);
   throw std::invalid_argument("the graph has no node '" + id + "'" + did_you_mean(id, names));
 }
 

@@ -6,6 +6,7 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -14,8 +15,8 @@ extern "C" {
 namespace face::decode {
 namespace {
 
-// The next pictures are decoded while one is converted. A number of the machine's could change what is made of a damaged
-// stream.
+// The next pictures are decoded while one is converted. A number of the machine's could change what is made of a
+// damaged stream.
 constexpr int decoding_threads = 2;
 
 std::string list_streams(const AVFormatContext& format) {
@@ -29,6 +30,24 @@ std::string list_streams(const AVFormatContext& format) {
   return out.empty() ? "nothing" : out;
 }
 
+// Null where the file cannot be opened; code says why. "file:" keeps a path with a colon from being taken for a
+// protocol.
+AVFormatContext* open_format(const std::string& path, int& code) {
+  keep_av_quiet();
+  AVFormatContext* format = nullptr;
+  code = avformat_open_input(&format, ("file:" + path).c_str(), nullptr, nullptr);
+  return format;
+}
+
+// MP4 and MOV keep the list of their frames in one piece, mostly the last one, without which nothing can be read.
+std::string why_unreadable(const std::string& path, int code) {
+  std::string head(8, 0);
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (code == AVERROR_INVALIDDATA && head.substr(4) == "ftyp")
+    return "the list of its frames (moov) was not found: is the file whole?";
+  return av_error_text(code);
+}
+
 }  // namespace
 
 void keep_av_quiet() { av_log_set_level(AV_LOG_QUIET); }
@@ -40,13 +59,12 @@ std::string av_error_text(int code) {
 }
 
 AvInput::AvInput(const std::string& path, std::string title, Kind kind) : title_(std::move(title)) {
-  keep_av_quiet();
   const char* expected = kind == Kind::audio
                              ? "a recording (WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"
                              : "a video file (MP4, MOV, MPEG, AVI, MKV, WebM)";
-  // "file:" keeps a path with a colon from being taken for a protocol.
-  int code = avformat_open_input(&format_, ("file:" + path).c_str(), nullptr, nullptr);
-  if (code < 0) fail(title_, ": cannot be read: ", av_error_text(code), "; expected ", expected);
+  int code = 0;
+  format_ = open_format(path, code);
+  if (code < 0) fail(title_, ": cannot be read: ", why_unreadable(path, code), "; expected ", expected);
   try {
     code = avformat_find_stream_info(format_, nullptr);
     if (code < 0) fail(title_, ": cannot be read: ", av_error_text(code), "; expected ", expected);
@@ -126,8 +144,9 @@ double AvInput::stated_duration_s() const {
 }
 
 bool has_pictures_only(const std::string& path) {
-  AVFormatContext* format = nullptr;
-  if (avformat_open_input(&format, ("file:" + path).c_str(), nullptr, nullptr) < 0) return false;
+  int code = 0;
+  AVFormatContext* format = open_format(path, code);
+  if (code < 0) return false;
   const auto has = [&](AVMediaType type) { return av_find_best_stream(format, type, -1, -1, nullptr, 0) >= 0; };
   const bool result =
       avformat_find_stream_info(format, nullptr) >= 0 && has(AVMEDIA_TYPE_VIDEO) && !has(AVMEDIA_TYPE_AUDIO);

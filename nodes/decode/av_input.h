@@ -11,7 +11,8 @@ struct AVFrame;
 
 namespace face::decode {
 
-// One stream of a media file, decoded in order by FFmpeg's libraries with a single thread: the same frames every time.
+// One stream of a media file, decoded in order by FFmpeg's libraries with a fixed number of threads: the same frames
+// every time.
 class AvInput {
  public:
   enum class Kind { audio, video };

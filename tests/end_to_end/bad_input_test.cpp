@@ -74,6 +74,10 @@ TEST_F(BadInput, UnusableRecordingsSayWhatIsWrongOnce) {
   write("cut.wav", whole.substr(0, 3000));
   write("header.wav", wav_of({}));
   write("text.wav", "this is no recording");
+  write("text.mp4", "this is no recording");
+  write("cut.m4a", std::string("\0\0\0\x18"
+                               "ftypM4A \0\0\2\0M4A isom",
+                               24));
   const std::string start = "recording (decode.audio): ";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"empty.wav", "empty.wav: is empty (0 bytes), expected a recording"},
@@ -81,7 +85,13 @@ TEST_F(BadInput, UnusableRecordingsSayWhatIsWrongOnce) {
       {"header.wav", "header.wav: holds no samples, expected a recording"},
       {"text.wav",
        "text.wav: cannot be read: Invalid data found when processing input; expected a recording (WAV, AIFF, FLAC, "
-       "Ogg, MP3, M4A, or a video file with sound)"}};
+       "Ogg, MP3, M4A, or a video file with sound)"},
+      {"text.mp4",
+       "text.mp4: cannot be read: Invalid data found when processing input; expected a recording (WAV, AIFF, FLAC, "
+       "Ogg, MP3, M4A, or a video file with sound)"},
+      {"cut.m4a",
+       "cut.m4a: cannot be read: the list of its frames (moov) was not found: is the file whole?; expected a recording "
+       "(WAV, AIFF, FLAC, Ogg, MP3, M4A, or a video file with sound)"}};
   for (const auto& [name, text] : cases) {
     const Ended ended = listen(name);
     EXPECT_EQ(ended.code, 1) << name;
@@ -221,6 +231,20 @@ TEST_F(BadInput, MisspeltSettingsNameTheNearestOne) {
     EXPECT_NE(ended.output.find(line + "\n"), std::string::npos) << ended.output;
 }
 
+TEST_F(BadInput, AMisspeltParameterIsNotToldAsAnUnsetOneToo) {
+  EXPECT_EQ(command(talk({"txt=good.txt"})).output,
+            "command line: --set txt: the graph has no parameter 'txt' (did you mean 'text'?)\n"
+            "1 problem; nothing was run\n");
+}
+
+TEST_F(BadInput, ValuesThatAreNotThereAreToldWithThoseThatAre) {
+  EXPECT_EQ(command(Words{"get", graph("speech/talk.json"), "recording.sound", "--set", "audio=good.wav"}).output,
+            "error: node 'recording' has no output 'sound'; it has 'audio', 'silent', 'source_rate_hz' and "
+            "'source_channels'\n");
+  EXPECT_EQ(command(Words{"get", graph("speech/talk.json"), "speak.weights", "--set", "text=good.txt"}).output,
+            "error: output 'weights' of node 'speak' is a sequence 1 deep, so it is named speak.weights[ID]\n");
+}
+
 TEST_F(BadInput, GraphWithCommentsRunsAndWithTyposNamesTheirPlaces) {
   write("good.json", "{ // a comment\n \"extends\": \"" + graph("speech/talk.json") + "\" /* and another */ }");
   EXPECT_EQ(command({"validate", "good.json", "--set", "text=good.txt"}).code, 0);
@@ -234,8 +258,14 @@ TEST_F(BadInput, GraphWithCommentsRunsAndWithTyposNamesTheirPlaces) {
 }
 
 TEST_F(BadInput, WrongWordsOnTheCommandLineAreInvalidArguments) {
-  EXPECT_EQ(command({"rn", "x.json"}).output,
-            "command line: there is no command 'rn' (did you mean 'run'?)\nRun with --help for more information.\n");
+  const std::vector<std::pair<Words, std::string>> told = {
+      {{"rn", "x.json"}, "there is no command 'rn' (did you mean 'run'?)"},
+      {{"run", "x.json", "--ouut", "x"}, "run has no option '--ouut' (did you mean '--out'?)"},
+      {{"run", "x.json", "--strore", "x"}, "run has no option '--strore' (did you mean '--store'?)"},
+      {{"run", "x.json", "y.json"}, "run: found a word too much: 'y.json'"},
+      {{"run"}, "run: graph is required"}};
+  for (const auto& [words, text] : told)
+    EXPECT_EQ(command(words).output, "command line: " + text + "\nRun with --help for more information.\n");
   for (const Words& words :
        {Words{"rn"}, Words{}, Words{"run"}, Words{"run", "nope.json"}, Words{"run", "."},
         talk({"text=good.txt"}) + Words{"--ouut", "x"}, talk({"text=good.txt"}) + Words{"--to", "cvs"},
@@ -369,6 +399,13 @@ TEST_F(BadInput, SequenceThatCouldNotBeMadeIsNotAnEmptyOne) {
   EXPECT_EQ(ended.failures(), Lines{"checked (toy.fail): the text contains 'bad'"});
   EXPECT_FALSE(exists("out/total.txt"));
   EXPECT_FALSE(exists("out/added/1.txt"));
+}
+
+TEST_F(BadInput, AFileInPlaceOfAFolderOfTakesIsNamed) {
+  const Ended ended = command({"run", graph("speech/talk_many.json"), "--set", "folder=good.wav", "--out", "out"});
+  EXPECT_EQ(ended.code, 1);
+  const std::string text = ": its input 'folder' is the file " + path("good.wav") + ", expected a folder";
+  EXPECT_EQ(ended.failures(), (Lines{"recordings" + text, "transcripts" + text}));
 }
 
 TEST_F(BadInput, FolderWithoutTakesIsAWarning) {

@@ -97,6 +97,8 @@ TEST_F(Experiments, ASweepSaysWhatIsWrongWithIt) {
           "error: command line: --metric scor: the graph has no node 'scor' (did you mean 'score'?)\n");
   refuses({"--vary", "extra=1", "--metric", "score.som"},
           "error: command line: --metric score.som: node 'score' has no output 'som' (did you mean 'sum'?)\n");
+  refuses({"--vary", "extra=1", "--metric", "score.total"},
+          "error: command line: --metric score.total: node 'score' has no output 'total'; it has 'sum'\n");
   refuses({"--vary", "extra"}, "error: command line: --vary extra: expected NAME=VALUE,VALUE,...\n");
   refuses({"--vary", "extra=1", "--set", "extra=2"}, "error: command line: extra is varied, and given another time\n");
   refuses({"--vary", "loud.mood=1,2"},
