@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "nodes/base/check.h"
@@ -16,7 +18,6 @@
 #include "nodes/decode/gltf_rig.h"
 #include "nodes/decode/ict_rig.h"
 #include "nodes/decode/input_file.h"
-#include "nodes/decode/read_rig.h"
 #include "nodes/decode/rig_shapes.h"
 #include "nodes/types/arkit.h"
 
@@ -64,11 +65,29 @@ double likeness(const std::vector<std::string>& a, const std::vector<std::string
   return all.empty() ? 0 : static_cast<double>(shared) / static_cast<double>(all.size());
 }
 
-// Names of the file's shapes, each once, in its order. textures: how many pictures it has.
-std::vector<std::string> shape_names(const engine::File& file, std::size_t& textures) {
-  std::vector<std::string> names;
+// What a file holds, before it is asked whether that can speak.
+struct Contents {
+  std::vector<std::string> names;  // of its shapes, each once, in its order
+  std::size_t textures = 0;
+  bool targets = false;    // its shapes are morph targets: they can be there and move nothing
+  std::optional<Rig> rig;  // none where it cannot be read,
+  std::string why_none;    // and why
+};
+
+void read_rig_into(Contents& contents, const std::function<Rig()>& read) {
+  try {
+    contents.rig = read();
+  } catch (const Error& error) {
+    contents.why_none = error.what();
+  }
+}
+
+// Throws where not even names can be read.
+Contents contents_of(const engine::File& file, const ShapeNames& given) {
+  Contents contents;
   const auto add = [&](const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::find(contents.names.begin(), contents.names.end(), name) == contents.names.end())
+      contents.names.push_back(name);
   };
   if (file.is_folder() && is_obj_rig(file)) {
     const std::string neutral = obj_rig_neutral(file).name;
@@ -77,25 +96,40 @@ std::vector<std::string> shape_names(const engine::File& file, std::size_t& text
       if (entry.name != neutral && leaf.ends_with(".obj") && !leaf.starts_with("identity"))
         add(leaf.substr(0, leaf.size() - 4));
     }
-    return names;
+    read_rig_into(contents, [&] { return read_obj_rig(file, given, LengthUnit::automatic); });
+    return contents;
   }
-  const tinygltf::Model model = load_gltf(file, gltf_main_file(file));
-  textures = model.images.size();
+  const engine::File main = gltf_main_file(file);
+  const tinygltf::Model model = load_gltf(file, main);
+  contents.textures = model.images.size();
+  contents.targets = true;
   for (const tinygltf::Mesh& mesh : model.meshes)
     for (const tinygltf::Primitive& primitive : mesh.primitives)
       for (std::size_t t = 0; t < primitive.targets.size(); ++t) add(gltf_target_name(model, mesh, primitive, t));
-  return names;
+  read_rig_into(contents, [&] { return rig_of_gltf(model, title_of(main), given, LengthUnit::automatic); });
+  return contents;
 }
 
-// Those of ARKit's shapes that a glTF file has as empty targets.
-std::vector<std::string> still_shapes(const engine::File& file, const ShapeNames& names,
-                                      const std::set<std::string>& known) {
+// Those of ARKit's shapes that a file has as empty targets.
+std::vector<std::string> still_shapes(const Contents& contents, const std::set<std::string>& known) {
   std::vector<std::string> still;
-  if (file.is_folder() && is_obj_rig(file)) return still;
-  const Rig rig = read_gltf_rig(file, names, LengthUnit::automatic, false);
-  for (std::size_t s = 0; s < arkit_count; ++s)
-    if (rig.shapes[s].vertices.empty() && known.contains(rig.shapes[s].name)) still.push_back(rig.shapes[s].name);
+  if (!contents.targets || !contents.rig) return still;
+  for (std::size_t s = 0; s < arkit_count; ++s) {
+    const Shape& shape = contents.rig->shapes[s];
+    if (shape.vertices.empty() && known.contains(shape.name)) still.push_back(shape.name);
+  }
   return still;
+}
+
+// Why the head cannot speak, without what was found in it; "" where it can.
+std::string why_unfit(const std::string& title, const Contents& contents) {
+  std::string why = contents.why_none;
+  try {
+    if (contents.rig) expect_speech(title, *contents.rig);
+  } catch (const Error& error) {
+    why = error.what();
+  }
+  return why.substr(0, why.find(". Found "));
 }
 
 // The shape that stands for jawOpen in sets of visemes (Oculus, VRM, VRoid); "" without one.
@@ -188,36 +222,31 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     result.names = engine::File::from_bytes(proposed.dump(2) + "\n", ".json");
     return result;
   };
-  std::vector<std::string> found;
-  std::size_t textures = 0;
   ShapeNames given;
+  Contents contents;
   try {
     if (names) given = read_shape_names(*names);
-    found = shape_names(file, textures);
+    contents = contents_of(file, given);
   } catch (const Error& error) {
     result.text = std::string(error.what()) + "\n";
     return finish();
   }
   std::set<std::string> known;
   std::vector<std::string> strange;
-  for (const std::string& name : found) {
-    const auto mapped = given.to_arkit.find(name);
-    const std::string arkit = mapped != given.to_arkit.end() ? mapped->second : arkit_spelling(name);
+  for (const std::string& name : contents.names) {
+    const std::string arkit = given.in_rig(name);
     if (arkit_index(arkit) < arkit_count)
       known.insert(arkit);
     else
       strange.push_back(name);
   }
-  std::vector<std::string> lacking, still;
+  std::vector<std::string> lacking;
   for (const std::string_view name : arkit_names)
     if (!known.contains(std::string(name))) lacking.emplace_back(name);
-  result.text =
-      message(title, ": ", found.size(), " shapes; ", known.size(), " of ARKit's ", arkit_count, " are there\n");
-  if (!lacking.empty()) result.text += "lacks " + listed(lacking) + "\n";
-  try {
-    still = still_shapes(file, given, known);
-  } catch (const Error&) {  // said below
-  }
+  result.text = message(title, ": ", contents.names.size(), " shapes; ", known.size(), " of ARKit's ", arkit_count,
+                        " are there\n");
+  if (!lacking.empty() && !contents.names.empty()) result.text += "lacks " + listed(lacking) + "\n";
+  const std::vector<std::string> still = still_shapes(contents, known);
   if (!still.empty()) result.text += "there, but move nothing: " + listed(still) + "\n";
   for (const auto& [name, arkit] : given.to_arkit) proposed[name] = arkit;
   std::size_t guesses = 0, blanks = 0;
@@ -234,27 +263,29 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
     }
     ++(guess.empty() ? blanks : guesses);
   }
+  if (std::any_of(strange.begin(), strange.end(), [](const std::string& name) { return name.ends_with("(unnamed)"); }))
+    result.text +=
+        "shapes without names were written without extras.targetNames: export it anew with names, or fill in which is "
+        "which\n";
   if (!strange.empty())
     result.text += message(strange.size(), strange.size() == 1 ? " name is" : " names are",
                            " none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
                            " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
                            "--set names=names.json\n");
-  try {
-    const Rig rig = read_rig(file, names);
-    result.text += about(rig);
-    if (textures > 0)
-      result.text += rig.neutral.colors_srgb.empty()
-                         ? "its textures stay in a GLB that is made of it; pictures and films cannot show them (PNG, "
-                           "JPEG and WebP can be read)\n"
-                         : "its textures stay in a GLB that is made of it; pictures and films show their colours at "
-                           "the vertices\n";
-    result.sound = true;
-    result.text += "it can be used as it is\n";
-  } catch (const Error& error) {
-    // What was found is listed above.
-    const std::string why = error.what();
-    result.text += "as it is it cannot be used: " + why.substr(0, why.find(". Found ")) + "\n";
+  if (const std::string why = why_unfit(title, contents); !why.empty()) {
+    result.text += "as it is it cannot be used: " + why + "\n";
+    return finish();
   }
+  result.text += about(*contents.rig);
+  if (contents.textures > 0)
+    result.text +=
+        contents.rig->neutral.colors_srgb.empty()
+            ? "its textures stay in a GLB that is made of it; pictures and films cannot show them (PNG, JPEG "
+              "and WebP can be read)\n"
+            : "its textures stay in a GLB that is made of it; pictures and films show their colours at the "
+              "vertices\n";
+  result.sound = true;
+  result.text += "it can be used as it is\n";
   return finish();
 }
 

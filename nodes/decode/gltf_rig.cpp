@@ -348,10 +348,12 @@ void read_notes(const tinygltf::Value& notes, const std::string& title, Rig& rig
 
 }  // namespace
 
-Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit, bool speaks) {
+Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit unit) {
   const engine::File main = gltf_main_file(file);
-  const std::string title = title_of(main);
-  const tinygltf::Model model = load_gltf(file, main);
+  return rig_of_gltf(load_gltf(file, main), title_of(main), names, unit);
+}
+
+Rig rig_of_gltf(const tinygltf::Model& model, const std::string& title, const ShapeNames& names, LengthUnit unit) {
   const Raw raw = Collector(model, title).collect();
   if (raw.triangles.empty()) fail(title, ": is not a rig: found no mesh in its scene, expected one with morph targets");
   if (raw.shape_names.empty())
@@ -382,7 +384,7 @@ Rig read_gltf_rig(const engine::File& file, const ShapeNames& names, LengthUnit 
   }
   ShapeCollector shapes(names);
   for (std::size_t s = 0; s < raw.shape_names.size(); ++s) shapes.add(raw.shape_names[s], in_mm(raw.shape_offsets[s]));
-  shapes.finish(title, rig, speaks);
+  shapes.finish(title, rig);
   if (raw.notes) read_notes(*raw.notes, title, rig);
   find_mouth_marks(rig);
   return rig;

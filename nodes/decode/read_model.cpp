@@ -74,7 +74,7 @@ MorphableModel read_model(const engine::File& file, const engine::File* expressi
   else if (suffix == ".npz")
     model = read_flame_model(file, static_cast<std::size_t>(options.identities), options.unit);
   else if (suffix == ".glb" || suffix == ".gltf" || suffix == ".vrm")
-    model = of_rig(read_gltf_rig(file, {}, options.unit, false));
+    model = of_rig(read_gltf_rig(file, {}, options.unit));
   else if (suffix == ".pkl")
     fail(title_of(file),
          ": a pickle can hold any program and is not opened; save v_template, f, shapedirs, weights and "

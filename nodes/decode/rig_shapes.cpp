@@ -137,28 +137,11 @@ void ShapeCollector::add(std::string_view name, const std::vector<Vec3f>& offset
     *same = sum(*same, shape);
 }
 
-void ShapeCollector::finish(const std::string& title, Rig& rig, bool speaks) const {
+void ShapeCollector::finish(const std::string& title, Rig& rig) const {
   for (const auto& [name, arkit] : names_.to_arkit)
     if (!seen_.contains(name))
       fail(names_.title, " at /", name, ": ", title, " has no such shape. Found ",
            seen_.empty() ? "no shapes" : joined(seen_));
-  std::vector<std::string> found, lacking;
-  for (const Shape& shape : shapes_) found.push_back(shape.name);
-  for (const std::string_view needed : needed_shapes)
-    if (std::find(found.begin(), found.end(), needed) == found.end()) lacking.emplace_back(needed);
-  const bool strange =
-      std::any_of(found.begin(), found.end(), [](const std::string& name) { return arkit_index(name) == arkit_count; });
-  if (speaks && !lacking.empty())
-    fail(title, ": lacks the shapes ", joined(lacking), "; a rig needs ", joined(needed_shapes), ". Found ",
-         found.empty() ? "no shapes" : joined(found),
-         strange ? "; names that are not ARKit's are mapped by a file, which facegraph doctor proposes" : "");
-
-  for (const Shape& shape : shapes_)
-    if (speaks && shape.name == "jawOpen" && shape.vertices.empty())
-      fail(title,
-           ": its jawOpen moves nothing: map a shape that opens the mouth to jawOpen, by a file, which facegraph "
-           "doctor proposes");
-
   rig.shapes.assign(arkit_count, {});
   for (std::size_t s = 0; s < arkit_count; ++s) rig.shapes[s].name = arkit_names[s];
   std::vector<bool> present(arkit_count, false);
@@ -174,6 +157,25 @@ void ShapeCollector::finish(const std::string& title, Rig& rig, bool speaks) con
   rig.missing.clear();
   for (std::size_t s = 0; s < arkit_count; ++s)
     if (!present[s]) rig.missing.emplace_back(arkit_names[s]);
+}
+
+void expect_speech(const std::string& title, const Rig& rig) {
+  const std::set<std::string_view> missing(rig.missing.begin(), rig.missing.end());
+  std::vector<std::string_view> found, lacking;
+  for (const Shape& shape : rig.shapes)
+    if (!missing.contains(shape.name)) found.push_back(shape.name);
+  for (const std::string_view needed : needed_shapes)
+    if (missing.contains(needed)) lacking.push_back(needed);
+  if (!lacking.empty())
+    fail(title, ": lacks the shapes ", joined(lacking), "; a rig needs ", joined(needed_shapes), ". Found ",
+         found.empty() ? "no shapes" : joined(found),
+         rig.shapes.size() > arkit_count
+             ? "; names that are not ARKit's are mapped by a file, which facegraph doctor proposes"
+             : "");
+  if (rig.shapes[arkit_index("jawOpen")].vertices.empty())
+    fail(title,
+         ": its jawOpen moves nothing: map a shape that opens the mouth to jawOpen, by a file, which facegraph doctor "
+         "proposes");
 }
 
 }  // namespace face::decode

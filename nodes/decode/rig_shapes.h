@@ -44,14 +44,16 @@ class ShapeCollector {
   // offsets_mm: one per vertex. Several of one name are added up.
   void add(std::string_view name, const std::vector<Vec3f>& offsets_mm);
 
-  // Fills rig.shapes and rig.missing. Throws where a shape that a speaking rig needs is absent, or a name to be mapped
-  // was not seen; `title` names the file.
-  void finish(const std::string& title, Rig& rig, bool speaks = true) const;
+  // Fills rig.shapes and rig.missing. Throws where a name to be mapped was not seen; `title` names the file.
+  void finish(const std::string& title, Rig& rig) const;
 
  private:
   ShapeNames names_;
   std::set<std::string> seen_;
   std::vector<Shape> shapes_;
 };
+
+// Throws where a rig has not the shapes that speech needs; `title` names its file.
+void expect_speech(const std::string& title, const Rig& rig);
 
 }  // namespace face::decode

@@ -129,6 +129,28 @@ TEST(CheckRig, NamesShapesThatMoveNothingAndProposesAnotherForTheJaw) {
   EXPECT_EQ(with_names.text.find("jawOpen, "), std::string::npos) << with_names.text;
 }
 
+TEST(CheckRig, SaysWhyShapesHaveNoNames) {
+  const test::Temporary temporary;
+  const std::string moves = R"({"POSITION":0})";
+  const CheckRigResult result =
+      check_rig(engine::File::at(temporary.write("head.gltf", triangle_head("", moves + "," + moves))), nullptr);
+  EXPECT_FALSE(result.sound);
+  EXPECT_NE(result.text.find("\nshapes without names were written without extras.targetNames: export it anew with "
+                             "names, or fill in which is which\n"),
+            std::string::npos)
+      << result.text;
+  EXPECT_EQ(result.names.bytes(), "{\n  \"target 0 (unnamed)\": \"\",\n  \"target 1 (unnamed)\": \"\"\n}\n");
+}
+
+TEST(CheckRig, SaysOfAMeshWithoutShapesJustThat) {
+  const test::Temporary temporary;
+  const CheckRigResult result =
+      check_rig(engine::File::at(temporary.write("head.gltf", triangle_head("", ""))), nullptr);
+  EXPECT_EQ(result.text,
+            "head.gltf: 0 shapes; 0 of ARKit's 52 are there\nas it is it cannot be used: head.gltf: is not a "
+            "rig: found a mesh of 3 vertices without morph targets\n");
+}
+
 TEST(CheckRig, SaysWhatIsNoRig) {
   const test::Temporary temporary;
   const CheckRigResult result = check_rig(engine::File::at(temporary.write("head.glb", "no")), nullptr);
