@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Failure, cheap values, outputs, stopping, determinism.
+#include "tests/support/expect_throw_text.h"
 #include "tests/support/toy_run.h"
 
 namespace {
@@ -169,6 +170,21 @@ TEST_F(Running, OneElementBehindARecurrenceNeedsTheElementsBeforeIt) {
                        R"("all.txt": "all")");
   const engine::GotValue got = engine::get_value(g, plugins_, *store_, {"shown", "", {"7"}}, {});
   EXPECT_EQ(got.value.as<std::string>(), "56");  // 7 + 7 * 7
+}
+
+TEST_F(Running, AValueInsideASubgraphIsNamedByItsNode) {
+  write_frames(2);
+  write("loud.json", R"({"facegraph": 1, "inputs": {"texts": "Seq<text>"},
+"nodes": {"loud": {"node": "toy.upper", "inputs": {"text": "@texts"}},
+          "all": {"node": "toy.join_texts", "inputs": {"texts": "loud"}}},
+"outputs": {"joined": "all"}})");
+  const auto g = graph(R"("files": {"node": "files.list", "inputs": {"folder": "${folder}"}},
+"texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
+"sub": {"graph": "loud.json", "inputs": {"texts": "texts"}})",
+                       R"("all.txt": "sub.joined")");
+  EXPECT_EQ(engine::get_value(g, plugins_, *store_, {"sub/loud", "", {"1"}}, {}).value.as<std::string>(), "FRAME 1");
+  EXPECT_THROW_TEXT(engine::get_value(g, plugins_, *store_, {"sub", "joined", {}}, {}),
+                    "'sub' is a subgraph, expected one of its nodes: sub/loud, sub/all");
 }
 
 TEST_F(Running, ExplainTellsAChangeAlongARecurrenceOnce) {
