@@ -40,26 +40,34 @@ cli::CommandTree tree_of(const CLI::App& app) {
 
 // What was typed that cannot be understood, and the nearest word that can.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, const cli::Common& common) {
-  const auto any = [](const CLI::App*) { return true; };
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
-  const std::vector<std::string> rest = app.remaining(true);
-  const auto word =
-      std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return !text.starts_with("-"); });
-  if (chosen.empty()) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands(any)) names.push_back(command->get_name());
-    if (word == rest.end()) return "expected one of the commands " + engine::listed(names);
-    for (const cli::PluginCommand& command : cli::plugin_commands(common)) names.push_back(command.name);
-    return "there is no command '" + *word + "'" + engine::did_you_mean(*word, names);
-  }
+  const CLI::App* command = &app;
+  std::string typed = "";  // "cache gc: "
   std::vector<std::string> options;
-  for (const cli::CommandTree& tree : {tree_of(app), tree_of(*chosen[0])})
-    for (const cli::CommandTree::Option& option : tree.options)
+  const auto add_options = [&] {
+    for (const cli::CommandTree::Option& option : tree_of(*command).options)
       options.insert(options.end(), option.names.begin(), option.names.end());
-  for (const std::string& option : rest)
-    if (option.starts_with("-"))
-      return chosen[0]->get_name() + " has no option '" + option + "'" + engine::did_you_mean(option, options);
-  return chosen[0]->get_name() + ": " + (word == rest.end() ? error.what() : "found a word too much: '" + *word + "'");
+  };
+  for (add_options(); !command->get_subcommands().empty(); add_options()) {
+    command = command->get_subcommands()[0];
+    typed += (typed.empty() ? "" : " ") + command->get_name();
+  }
+  if (!typed.empty()) typed += ": ";
+  std::vector<std::string> commands;
+  for (const CLI::App* other : command->get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(other->get_name());
+
+  const std::vector<std::string> rest = app.remaining(true);
+  const auto is_option = [](const std::string& text) { return text.starts_with("-"); };
+  const auto word = std::find_if_not(rest.begin(), rest.end(), is_option);
+  if (!commands.empty() && word != rest.end()) {
+    if (command == &app)
+      for (const cli::PluginCommand& other : cli::plugin_commands(common)) commands.push_back(other.name);
+    return typed + "there is no command '" + *word + "'" + engine::did_you_mean(*word, commands);
+  }
+  if (const auto option = std::find_if(rest.begin(), rest.end(), is_option); option != rest.end())
+    return typed + "there is no option '" + *option + "'" + engine::did_you_mean(*option, options);
+  if (!commands.empty()) return typed + "expected one of the commands " + engine::listed(commands, "or");
+  return typed + (word == rest.end() ? error.what() : "found a word too much: '" + *word + "'");
 }
 
 }  // namespace

@@ -260,10 +260,13 @@ TEST_F(BadInput, GraphWithCommentsRunsAndWithTyposNamesTheirPlaces) {
 TEST_F(BadInput, WrongWordsOnTheCommandLineAreInvalidArguments) {
   const std::vector<std::pair<Words, std::string>> told = {
       {{"rn", "x.json"}, "there is no command 'rn' (did you mean 'run'?)"},
-      {{"run", "x.json", "--ouut", "x"}, "run has no option '--ouut' (did you mean '--out'?)"},
-      {{"run", "x.json", "--strore", "x"}, "run has no option '--strore' (did you mean '--store'?)"},
+      {{"run", "x.json", "--ouut", "x"}, "run: there is no option '--ouut' (did you mean '--out'?)"},
+      {{"run", "x.json", "--strore", "x"}, "run: there is no option '--strore' (did you mean '--store'?)"},
       {{"run", "x.json", "y.json"}, "run: found a word too much: 'y.json'"},
-      {{"run"}, "run: graph is required"}};
+      {{"run"}, "run: graph is required"},
+      {{"--foo"}, "there is no option '--foo'"},
+      {{"cache"}, "cache: expected one of the commands 'stat', 'gc', 'pin', 'unpin', 'verify' or 'audit'"},
+      {{"cache", "stt"}, "cache: there is no command 'stt' (did you mean 'stat'?)"}};
   for (const auto& [words, text] : told)
     EXPECT_EQ(command(words).output, "command line: " + text + "\nRun with --help for more information.\n");
   for (const Words& words :
