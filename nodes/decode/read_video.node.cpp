@@ -7,7 +7,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.video", &read_video, version{1}, cheap{}, doc{"Reads the pictures of a video file, in display order."},
+NODE("decode.video", &read_video, version{2}, cheap{}, doc{"Reads the pictures of a video file, in display order."},
      input{"file", "MP4, MOV, MPEG, AVI, MKV, WebM"},
      output("frames", "The pictures, 8-bit sRGB; ids are frame numbers from 0"),
      output("timeline", &ReadVideoResult::timeline, "When each frame is shown"),

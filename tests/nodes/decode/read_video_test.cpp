@@ -77,6 +77,42 @@ TEST(ReadVideo, RejectsWhatIsNoVideo) {
       "AVI, MKV, WebM)");
 }
 
+// A grey JPEG of 16 x 8 pixels, its left half light, with an orientation as cameras write it (EXIF 2.3, tag 0x0112).
+// The coefficients are coded by the tables of the standard's annex K.3, which decoders have.
+std::string photograph(char orientation) {
+  using namespace std::string_literals;
+  return "\xFF\xD8\xFF\xE1\0\x22"s + "Exif\0\0MM\0*\0\0\0\x08\0\1\1\x12\0\3\0\0\0\1\0"s + orientation +
+         "\0\0\0\0\0\0\xFF\xDB\0\x43\0"s + std::string(64, 8) + "\xFF\xC0\0\x0B\x08\0\x08\0\x10\1\1\x11\0"s +
+         "\xFF\xDA\0\x08\1\1\0\0\x3F\0\xF6\x4A\xF8\xDE\xBF\xFF\xD9"s;
+}
+
+TEST(ReadVideo, TurnsAPhotographUprightAsItsCameraSays) {
+  const test::Temporary temporary;
+  struct Shown {
+    int width, height, light_x, light_y;  // of the middle of the light half
+  };
+  // Orientations 1 to 8: as stored, mirrored, half a turn, upside down, and the same with rows and columns exchanged.
+  const Shown all[] = {{16, 8, 4, 4}, {16, 8, 12, 4}, {16, 8, 12, 4}, {16, 8, 4, 4},
+                       {8, 16, 4, 4}, {8, 16, 4, 4},  {8, 16, 4, 12}, {8, 16, 4, 12}};
+  for (char orientation = 1; orientation <= 8; ++orientation) {
+    const Shown& shown = all[orientation - 1];
+    const Film film = read(temporary.write("photograph.jpg", photograph(orientation)));
+    ASSERT_EQ(film.frames.size(), 1u);
+    const Image& image = film.frames[0];
+    const auto level = [&](int x, int y) { return image.pixels[static_cast<std::size_t>((y * image.width + x) * 3)]; };
+    EXPECT_EQ(image.width, shown.width) << int{orientation};
+    EXPECT_EQ(image.height, shown.height) << int{orientation};
+    EXPECT_EQ(level(shown.light_x, shown.light_y), 228) << int{orientation};
+    EXPECT_EQ(level(shown.width - 1 - shown.light_x, shown.height - 1 - shown.light_y), 28) << int{orientation};
+  }
+}
+
+TEST(ReadVideo, RejectsAPhotographThatIsCutOff) {
+  const test::Temporary temporary;
+  EXPECT_THROW_TEXT(read(temporary.write("photograph.jpg", photograph(1).substr(0, 80))),
+                    "photograph.jpg near byte 0: cannot be decoded: Invalid data found when processing input");
+}
+
 TEST(ReadVideo, RejectsARecordingWithoutPictures) {
   const test::Temporary temporary;
   SF_INFO info{};
