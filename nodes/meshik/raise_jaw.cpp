@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t jaw_open = arkit_index("jawOpen"), mouth_close = arkit_index("mouthClose");
 constexpr std::size_t upper_lip = 62, lower_lip = 66;  // where a rig names no pairs: the middle of the inner edges
 constexpr std::size_t enough_frames = 2000;            // evenly spread; the jaw's highest places show in fewer
+constexpr double resting_share = 0.025;  // of the frames; closures in a row are up to 0.011 (18,000 frames)
 
 double offset_y_mm(const Shape& shape, std::uint32_t vertex) {
   const auto at = std::lower_bound(shape.vertices.begin(), shape.vertices.end(), vertex);
@@ -116,7 +117,7 @@ Landmarks raise_jaw(const Rig& rig, const engine::Seq<Landmarks>& landmarks, con
     if (lost <= options.max_lost) jaws.push_back(jaw_of(fit, places, *here, rest, mm_per_px, least));
   }
   const int resting = count_resting(rig, landmarks, rest, places, options.rest_frames);
-  if (jaws.empty() || resting > options.highest_share * static_cast<double>(landmarks.size())) return rest;
+  if (jaws.empty() || resting >= resting_share * static_cast<double>(landmarks.size())) return rest;
   jaws = median_of_three(jaws);
   std::sort(jaws.begin(), jaws.end());
   const auto above =

@@ -23,7 +23,7 @@ struct RaiseJawOptions {
 // `rest` is raised by as much with lips that stay together: jawOpen and mouthClose in the proportion that leaves the
 // middle of the rig's lips where they are. rest comes back as it is where no frame has the jaw higher, where the rig
 // has no jawOpen or no mouthClose, and where somebody does rest: where the lips keep the shape that they have in it (to
-// a 40th of the mouth's width, root mean square) for rest_frames and longer, in more than highest_share of all frames
+// a 40th of the mouth's width, root mean square) for rest_frames and longer, in a 40th of all frames and more
 // (one closure hardly lasts so long; in ten minutes some that follow each other do). landmarks: of a head that stands
 // still (track.stabilise), as those of rest.
 Landmarks raise_jaw(const Rig& rig, const engine::Seq<Landmarks>& landmarks, const Landmarks& rest,

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.raise_jaw", &raise_jaw, version{3},
+NODE("meshik.raise_jaw", &raise_jaw, version{4},
      doc{"Landmarks of a mouth at rest, from those of a mouth that is shut over a hanging jaw, as in the middle of "
          "speech."},
      input{"rig", "The head"},
@@ -13,7 +13,7 @@ NODE("meshik.raise_jaw", &raise_jaw, version{3},
      input{"rest", "Those of a shut mouth, as track.find_rest finds it"},
      input{"visemes", "Which weights go together in speech; without it every shape is as likely as another"},
      param("highest_share", &RaiseJawOptions::highest_share, range{0.0, 1.0}, unit{"1"},
-           "Share of the frames that may have the jaw above the rest, or the mouth in it by chance"),
+           "Share of the frames that may have the jaw above the rest"),
      param("most", &RaiseJawOptions::most, range{0.0, 1.0}, unit{"1"},
            "How far the jaw is raised at most, in weights of jawOpen"),
      param("max_lost", &RaiseJawOptions::max_lost, range{0, 1000}, unit{"1"},

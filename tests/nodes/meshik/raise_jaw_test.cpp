@@ -96,10 +96,10 @@ TEST(RaiseJaw, TakesAFewClosuresThatFollowEachOtherInALongClipForNoRest) {
   const Rig rig = speaking_rig();
   const Landmarks shut = seen(rig, 0.1f, 0.1f, 0), truth = seen(rig, 0, 0, 0);
   std::vector<Landmarks> frames(14, shut);
-  for (int minute = 0; minute < 31; ++minute)
+  for (int i = 0; i < 31; ++i)
     for (const Landmarks& frame : speech(rig)) frames.push_back(frame);
   EXPECT_LT(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), shut, nullptr), truth), 0.8);
-  frames.resize(1300);
+  frames.resize(500);
   EXPECT_EQ(farthest_px(raise_jaw(rig, engine::Seq<Landmarks>(frames), shut, nullptr), shut), 0);
 }
 
