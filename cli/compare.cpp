@@ -246,7 +246,7 @@ int compare(const Common& common, const CompareArguments& arguments) {
     options.observer = [&](const engine::RunEvent& event) { progress.show(event); };
     stop_on_interrupt(options);
     const engine::RunResult result = engine::run_graph(sides[s].graph, *plugins, *store, options);
-    progress.clear();
+    progress.finish();
     if (interrupt_requested()) {
       std::fprintf(stderr, "interrupted: finished tasks are kept\n");
       return interrupted;

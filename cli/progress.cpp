@@ -10,6 +10,17 @@ namespace {
 
 constexpr double redraw_s = 0.1;  // a terminal
 constexpr double report_s = 5.0;  // a log
+constexpr std::size_t most_alike = 5;
+
+// What a task said, without its element: "failed: flow: ..."
+std::string without_element(const engine::RunEvent& event) {
+  std::string said = event.text;
+  if (event.kind == engine::RunEvent::Kind::warning) return "warning: " + event.node + ": " + said;
+  if (const std::size_t key = said.rfind(" [key "); key != std::string::npos) said.resize(key);
+  if (const std::string start = task_name(event) + " (" + event.type + "): "; said.starts_with(start))
+    said.erase(0, start.size());
+  return "failed: " + event.node + ": " + said;
+}
 
 }  // namespace
 
@@ -20,15 +31,25 @@ void ProgressPrinter::clear() {
   drawn_ = false;
 }
 
+void ProgressPrinter::finish() {
+  clear();
+  for (const auto& [said, count] : alike_)
+    if (count > most_alike) std::fprintf(stderr, "%s (the same of %zu more)\n", said.c_str(), count - most_alike);
+  alike_.clear();
+}
+
+void ProgressPrinter::tell(const engine::RunEvent& event) {
+  if (++alike_[without_element(event)] > most_alike) return;
+  clear();
+  if (event.kind == engine::RunEvent::Kind::failed)
+    std::fprintf(stderr, "failed: %s\n", event.text.c_str());
+  else
+    std::fprintf(stderr, "warning: %s: %s\n", task_name(event).c_str(), event.text.c_str());
+}
+
 void ProgressPrinter::show(const engine::RunEvent& event) {
   using Kind = engine::RunEvent::Kind;
-  if (event.kind == Kind::failed || event.kind == Kind::warning) {
-    clear();
-    if (event.kind == Kind::failed)
-      std::fprintf(stderr, "failed: %s\n", event.text.c_str());
-    else
-      std::fprintf(stderr, "warning: %s: %s\n", task_name(event).c_str(), event.text.c_str());
-  }
+  if (event.kind == Kind::failed || event.kind == Kind::warning) tell(event);
   if (quiet_) return;
   pace_.see(event);
   const double wait = terminal_ ? redraw_s : report_s;

@@ -133,7 +133,7 @@ int report(const Common& common, const ReportArguments& arguments) {
     progress.show(event);
   };
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
-  progress.clear();
+  progress.finish();
   if (interrupt_requested()) {
     std::fprintf(stderr, "interrupted: %zu finished tasks are kept\n", result.tasks.run);
     return interrupted;

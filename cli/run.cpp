@@ -44,7 +44,7 @@ int run(const Common& common, const RunArguments& arguments) {
     progress.show(event);
   };
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
-  progress.clear();
+  progress.finish();
   if (result.tasks.run > 0) keep_to_limit(*store, limit_bytes);
   for (const engine::Digest& digest : store->take_damaged())
     std::fprintf(stderr,

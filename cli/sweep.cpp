@@ -274,7 +274,7 @@ int sweep(const Common& common, const SweepArguments& arguments) {
   options.observer = [&](const engine::RunEvent& event) { progress.show(event); };
   stop_on_interrupt(options);
   engine::SweepResult result = engine::run_sweep(variants, experiment.metrics, *plugins, *store, options);
-  progress.clear();
+  progress.finish();
 
   std::vector<std::string> folders;
   for (std::size_t v = 0; v < variants.size() && arguments.outputs && !interrupt_requested(); ++v) {
@@ -286,7 +286,7 @@ int sweep(const Common& common, const SweepArguments& arguments) {
     engine::Graph graph = variant.graph;
     graph.path += "#sweep";
     const engine::RunResult ran = engine::run_graph(graph, *plugins, *store, publish);
-    progress.clear();
+    progress.finish();
     result.tasks.run += ran.tasks.run;
     result.seconds += ran.seconds;
     if (variant.failure.empty() && !ran.failures.empty()) variant.failure = ran.failures.front();

@@ -404,6 +404,22 @@ TEST_F(BadInput, SequenceThatCouldNotBeMadeIsNotAnEmptyOne) {
   EXPECT_FALSE(exists("out/added/1.txt"));
 }
 
+TEST_F(BadInput, WhatManyElementsFailWithIsToldOfTheFirstAndCounted) {
+  for (int i = 0; i < 8; ++i) write("texts/" + std::to_string(i) + ".txt", "bad");
+  write("graph.json", R"({"facegraph": 1, "nodes": {
+    "files": {"node": "files.list", "inputs": {"folder": {"file": "texts"}}},
+    "texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
+    "checked": {"node": "toy.fail", "inputs": {"text": "texts"}},
+    "all": {"node": "toy.concat", "inputs": {"texts": "checked"}},
+    "page": {"node": "toy.write_text", "inputs": {"text": "all"}}}, "outputs": {"page.txt": "page"}})");
+  const Ended ended = command({"run", "graph.json"});
+  EXPECT_EQ(ended.code, 1);
+  Lines failures = ended.failures();
+  std::sort(failures.begin(), failures.end());
+  ASSERT_EQ(failures.size(), 6U) << ended.output;
+  EXPECT_EQ(failures[0], "checked: the text contains 'bad' (the same of 3 more)");
+}
+
 TEST_F(BadInput, AFileInPlaceOfAFolderOfTakesIsNamed) {
   const Ended ended = command({"run", graph("speech/talk_many.json"), "--set", "folder=good.wav", "--out", "out"});
   EXPECT_EQ(ended.code, 1);

@@ -307,6 +307,16 @@ TEST_F(Guides, CommandsOfTheOtherPagesFitTheirGraphs) {
   }
 }
 
+TEST_F(Guides, TheLineToWhichANewNodeIsAddedIsThere) {
+  const std::filesystem::path source(FACEGRAPH_SOURCE_DIR);
+  std::smatch line;
+  const std::string guide = test::read_file(source / "docs/writing-a-node.md");
+  ASSERT_TRUE(std::regex_search(guide, line, std::regex("\n(node\\(.*) clamp_number\\)\n")));
+  EXPECT_NE(test::read_file(source / "plugins/toy/CMakeLists.txt").find("\n" + line[1].str() + ")\n"),
+            std::string::npos)
+      << line[1].str();
+}
+
 TEST_F(Guides, ASweepAndAReportOfEachSystemRun) {
   follow({.file = "docs/systems.md", .settings = "facegraph plan graphs/speech/talk.json --set text=line.txt"}, 11);
   for (const char* name : {"speech", "video", "scans", "laser", "pictures"}) {
