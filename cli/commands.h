@@ -89,8 +89,7 @@ std::string plugin_commands_help(const Common& common);
 // where they name none.
 bool run_plugin_command(std::vector<std::string> words, int& exit_code);
 
-// "500MB" -> bytes (decimal units). Throws std::invalid_argument.
-// Bytes of what an option was given; names it where that is no amount.
+// "500MB" -> bytes (decimal units). Throws std::invalid_argument, naming the option, for what is no amount.
 std::int64_t size_of(const std::string& option, const std::string& text);
 // What the store may hold: --store-limit, else FACEGRAPH_STORE_LIMIT, else 50 GB.
 inline constexpr std::int64_t default_store_limit_bytes = 50'000'000'000;

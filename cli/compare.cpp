@@ -23,8 +23,6 @@ using Json = nlohmann::ordered_json;
 using engine::escape_markup;
 namespace fs = std::filesystem;
 
-std::string shortened(const std::string& text) { return text.size() <= 60 ? text : text.substr(0, 57) + "..."; }
-
 struct Side {
   engine::Graph graph;
   std::vector<engine::StoredNode> stored;

@@ -14,6 +14,7 @@
 
 #include "cli/commands.h"
 #include "cli/curves.h"
+#include "cli/experiments.h"
 #include "cli/interrupt.h"
 #include "engine/describe/media.h"
 #include "engine/describe/picture.h"
@@ -82,12 +83,6 @@ double number_at(const Json& values, std::size_t column) {
 std::string read_all(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 // Which lines differ, of texts.
@@ -374,7 +369,6 @@ std::string measures_of(const Json& d) {
 }  // namespace
 
 std::string line_of(const Json& d) {
-  const auto shortened = [](const std::string& text) { return text.size() <= 60 ? text : text.substr(0, 57) + "..."; };
   const auto count = [&](const char* key) { return d.value(key, std::size_t{0}); };
   std::string text;
   if (d.contains("a"))

@@ -104,12 +104,6 @@ void check_store(const Common& common, Findings& findings) {
     findings.good(show_size(space.available) + " are free there");
 }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 // Which kinds of file plugins can look at, and the graph for one: checks/SUFFIX.json, for a folder checks/folder.json.
 std::string check_for(const Common& common, const fs::path& file, std::string& known) {
   const std::string kind = fs::is_directory(file) ? "folder" : lower(file.extension().string());

@@ -90,5 +90,11 @@ void write_whole(const std::string& path, std::string_view bytes);
 std::vector<engine::Setting> settings_of(const std::vector<std::string>& sets);
 // A word as a shell takes it: quoted where it must be.
 std::string shell_word(const std::string& text);
+// Of ASCII's letters.
+std::string lower(std::string text);
+// So many bytes of a text from its beginning, or fewer, so that no character (UTF-8) is cut in two.
+std::string beginning(const std::string& text, std::size_t most_bytes);
+// The beginning of a long text, for one line among others.
+std::string shortened(const std::string& text);
 
 }  // namespace cli

@@ -55,4 +55,22 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+std::string beginning(const std::string& text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return text;
+  std::size_t end = most_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end);
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most_bytes = 60;
+  return text.size() <= most_bytes ? text : beginning(text, most_bytes - 3) + "...";
+}
+
 }  // namespace cli

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/curves.h"
+#include "cli/experiments.h"
 #include "engine/describe/media.h"
 #include "engine/describe/picture.h"
 #include "engine/describe/view.h"
@@ -54,10 +55,7 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 }
 
 std::string cut(const std::string& text) {
-  if (text.size() <= most_text) return escape_markup(text);
-  std::size_t end = most_text;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return escape_markup(text.substr(0, end)) + "\u2026";
+  return escape_markup(beginning(text, most_text)) + (text.size() > most_text ? "\u2026" : "");
 }
 
 std::string caption_of(const std::string& element) {
