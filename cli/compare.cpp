@@ -220,8 +220,9 @@ bool is_graph(const std::string& path) {
 
 int compare(const Common& common, const CompareArguments& arguments) {
   catch_interrupts();
-  if (!arguments.b.empty() && fs::exists(arguments.a) && fs::exists(arguments.b) && !is_graph(arguments.a) &&
-      !is_graph(arguments.b))
+  for (const std::string& path : {arguments.a, arguments.b})
+    if (!path.empty() && !fs::exists(path)) throw std::invalid_argument("command line: " + path + " does not exist");
+  if (!arguments.b.empty() && !is_graph(arguments.a) && !is_graph(arguments.b))
     return compare_outputs(common, arguments);
   const auto plugins = open_plugins(common);
   const auto store = open_store(common);

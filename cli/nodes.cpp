@@ -22,7 +22,9 @@ int nodes(const Common& common, const NodesArguments& arguments) {
     if (!arguments.json) std::printf("%-28s %s\n", name.c_str(), node.doc.c_str());
   }
   if (arguments.json) std::printf("%s", engine::write_node_list(list).c_str());
-  return done;
+  if (!list.nodes.empty() || arguments.filter.empty()) return done;
+  std::fprintf(stderr, "no node has '%s' in its name or its text\n", arguments.filter.c_str());
+  return invalid;
 }
 
 }  // namespace cli

@@ -9,6 +9,19 @@
 namespace engine {
 namespace {
 
+// Of a file that is not there: one in its folder with nearly that name, or what became of a "~".
+std::string meant_file(const Link& link) {
+  if (link.shown_path.starts_with("~"))
+    return ": a shell puts the home folder in the place of ~ only where a word begins with it, so write $HOME";
+  const std::filesystem::path path(link.path);
+  std::vector<std::string> names;
+  std::error_code code;
+  for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), code))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());  // of equally near ones the first
+  return did_you_mean(path.filename().string(), names);
+}
+
 constexpr int unknown = -1;  // a depth that follows from something that is reported already
 
 // What is known of a link or an output before the run.
@@ -304,7 +317,7 @@ class Analysis {
           std::error_code code;
           const auto status = std::filesystem::status(link.path, code);
           if (!std::filesystem::exists(status))
-            problem(link.value_place, "the file " + link.shown_path + " does not exist");
+            problem(link.value_place, "the file " + link.shown_path + " does not exist" + meant_file(link));
           else if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status))
             problem(link.value_place, link.shown_path + " is neither a file nor a folder");
         }

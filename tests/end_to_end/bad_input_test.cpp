@@ -66,6 +66,13 @@ TEST_F(BadInput, MissingRecordingIsToldBeforeAnythingRuns) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.output, "command line: --set audio: the file nope.wav does not exist\n1 problem; nothing was run\n");
   EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(command(talk({"audio=goood.wav"})).output,
+            "command line: --set audio: the file goood.wav does not exist (did you mean 'good.wav'?)\n"
+            "1 problem; nothing was run\n");
+  EXPECT_EQ(
+      command(talk({"audio=~/line.wav"})).output,
+      "command line: --set audio: the file ~/line.wav does not exist: a shell puts the home folder in the place of "
+      "~ only where a word begins with it, so write $HOME\n1 problem; nothing was run\n");
 }
 
 TEST_F(BadInput, UnusableRecordingsSayWhatIsWrongOnce) {
@@ -229,6 +236,12 @@ TEST_F(BadInput, MisspeltSettingsNameTheNearestOne) {
       "/nodes/speak/params/rate_hz)\n";
   for (const std::string& line : test::lines_of(expected))
     EXPECT_NE(ended.output.find(line + "\n"), std::string::npos) << ended.output;
+}
+
+TEST_F(BadInput, AWordThatNoNodeHasIsTold) {
+  const Ended ended = command({"nodes", "xyzzy"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.output, "no node has 'xyzzy' in its name or its text\n");
 }
 
 TEST_F(BadInput, AMisspeltParameterIsNotToldAsAnUnsetOneToo) {

@@ -176,6 +176,7 @@ TEST_F(Experiments, ComparesTwoFoldersOfResults) {
   EXPECT_EQ(command({"compare", "a", "b/numbers.json"}).output,
             "error: command line: a and b/numbers.json: expected two folders or two files\n");
   EXPECT_EQ(command({"compare", "a", "b", "--set", "x=1"}).code, 2);
+  EXPECT_EQ(command({"compare", "a", "c"}).output, "error: command line: c does not exist\n");
 }
 
 TEST_F(Experiments, ComparesValuesAsTheirTypesSay) {
