@@ -85,9 +85,9 @@ struct PluginCommand {
 std::vector<PluginCommand> plugin_commands(const Common& common);
 // What --help says of them; empty where there are none.
 std::string plugin_commands_help(const Common& common);
-// Runs the command that the words of a command line name, if any; `words` without the program's name. Returns false
-// where they name none.
-bool run_plugin_command(std::vector<std::string> words, int& exit_code);
+// Runs the command that the words of a command line name, if any; `words` without the program's name, `own` the
+// program's own commands, whose names no plugin takes. Returns false where they name none.
+bool run_plugin_command(std::vector<std::string> words, const std::vector<std::string>& own, int& exit_code);
 
 // "500MB" -> bytes (decimal units). Throws std::invalid_argument, naming the option, for what is no amount.
 std::int64_t size_of(const std::string& option, const std::string& text);

@@ -38,6 +38,13 @@ cli::CommandTree tree_of(const CLI::App& app) {
   return tree;
 }
 
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
 // What was typed that cannot be understood, and the nearest word that can.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, const cli::Common& common) {
   const CLI::App* command = &app;
@@ -52,9 +59,7 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, con
     typed += (typed.empty() ? "" : " ") + command->get_name();
   }
   if (!typed.empty()) typed += ": ";
-  std::vector<std::string> commands;
-  for (const CLI::App* other : command->get_subcommands([](const CLI::App*) { return true; }))
-    commands.push_back(other->get_name());
+  std::vector<std::string> commands = commands_of(*command);
 
   const std::vector<std::string> rest = app.remaining(true);
   const auto is_option = [](const std::string& text) { return text.starts_with("-"); };
@@ -248,7 +253,7 @@ int main(int count, char** words) {
 
   try {
     int code = 0;
-    if (cli::run_plugin_command({words + 1, words + count}, code)) return code;
+    if (cli::run_plugin_command({words + 1, words + count}, commands_of(app), code)) return code;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return cli::invalid;

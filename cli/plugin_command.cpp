@@ -171,7 +171,7 @@ std::string plugin_commands_help(const Common& common) {
   return text;
 }
 
-bool run_plugin_command(std::vector<std::string> words, int& exit_code) {
+bool run_plugin_command(std::vector<std::string> words, const std::vector<std::string>& own, int& exit_code) {
   Common common;
   std::string option, value, name;
   std::size_t at = 0;
@@ -192,10 +192,7 @@ bool run_plugin_command(std::vector<std::string> words, int& exit_code) {
       at = i;
     }
   }
-  if (name.empty()) return false;
-  for (const char* own : {"run", "plan", "explain", "get", "validate", "nodes", "describe", "schema", "cache", "sweep",
-                          "graph", "report", "compare", "new", "doctor", "completion"})
-    if (name == own) return false;
+  if (name.empty() || std::find(own.begin(), own.end(), name) != own.end()) return false;
   for (const PluginCommand& command : plugin_commands(common))
     if (command.name == name) {
       words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
