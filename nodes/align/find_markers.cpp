@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 
+#include "nodes/align/measure_dot.h"
 #include "nodes/base/check.h"
 #include "nodes/base/scan_points.h"
 
@@ -13,6 +14,10 @@ namespace face::align {
 namespace {
 
 using Place = std::complex<double>;
+
+// A disc is 3.9 times as long as wide at 75 degrees, and less once the lens has blurred it; teeth between lips are 6
+// times and more.
+constexpr double longest_dot = 4;
 
 }  // namespace
 
@@ -25,9 +30,10 @@ Landmarks find_markers(const engine::Seq<DepthScan>& scans, const FindMarkersOpt
   const int width = picture.width, height = picture.height;
   const auto channels = static_cast<std::size_t>(picture.channels);
   const double sign = options.tone == MarkerTone::white ? 1 : -1;
-  const auto grey = [&](int x, int y) {
-    return sign * picture.pixels[static_cast<std::size_t>(y * width + x) * channels + (channels > 1 ? 1 : 0)];
-  };
+  Image green{width, height, 1, {}};
+  for (std::size_t i = channels > 1 ? 1 : 0; i < picture.pixels.size(); i += channels)
+    green.pixels.push_back(picture.pixels[i]);
+  const auto grey = [&](int x, int y) { return sign * green.pixels[static_cast<std::size_t>(y * width + x)]; };
   const double radius = options.radius_px;
   const int reach = static_cast<int>(std::ceil(2 * radius)) + 1;
   std::vector<std::pair<int, int>> disc;
@@ -76,18 +82,9 @@ Landmarks find_markers(const engine::Seq<DepthScan>& scans, const FindMarkersOpt
           best = other < own || (other == own && (dy > 0 || (dy == 0 && dx > 0)));
         }
       if (!best) continue;
-      double around = 0;
-      for (const auto& [dx, dy] : ring) around += grey(x + dx, y + dy) / 16;
-      double weight = 0, sx = 0, sy = 0;
-      for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; ++dx) {
-          if (std::hypot(dx, dy) > 1.5 * radius) continue;
-          const double w = std::max(grey(x + dx, y + dy) - around - 0.15 * static_cast<double>(own), 0.0);
-          weight += w;
-          sx += w * dx;
-          sy += w * dy;
-        }
-      found.points.push_back({"m" + std::to_string(found.points.size()), x + sx / weight, y + sy / weight, true});
+      const Dot dot = measure_dot(green, x, y, radius);
+      if (dot.length_px > longest_dot * dot.width_px || std::hypot(dot.x_px - x, dot.y_px - y) > radius) continue;
+      found.points.push_back({"m" + std::to_string(found.points.size()), dot.x_px, dot.y_px, true});
     }
   return found;
 }

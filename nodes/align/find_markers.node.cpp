@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::align;
 
-NODE("align.find_markers", &find_markers, version{1}, doc{"Finds painted dots on the first scan of a take."},
+NODE("align.find_markers", &find_markers, version{2}, doc{"Finds painted dots on the first scan of a take."},
      input{"scans", "The take"},
      param("tone", &FindMarkersOptions::tone, {{"white", MarkerTone::white}, {"black", MarkerTone::black}},
            "Dots are lighter or darker than skin"),

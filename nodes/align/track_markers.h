@@ -21,21 +21,24 @@ struct TrackMarkersResult {
   Landmarks markers;
   Image templates;     // grey: the start markers' squares side by side, as they were taken
   Matrix moved_px;     // markers x 2: how far each went since the frame before; 0 where it was or is lost
+  Matrix bends;        // markers x 4: how its square lies now against when it was taken, rows of a 2 x 2 matrix
   std::string report;  // names of markers that are lost in this frame, separated by spaces; empty where none is
 };
 
 // Follows markers through a take by template matching (Bargmann, Blanz and Seidel, section 3.1): squares of 10 x 10
 // pixels about the start points are found again in a neighbourhood of 20 x 20 pixels about the place to which they go
-// on moving as they did, where the sum of squared differences is least. The search is over whole pixels in integers,
-// exact; the place between pixels is found by Gauss-Newton steps on the same sum, freed of gain and offset of light. A
-// marker whose template is unlike what is found (zero-mean normalised correlation below least_likeness), or that leaves
-// the picture, is lost: not valid, at its last good place, and looked for there in twice the neighbourhood. A warning
-// names one that leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the
-// one that is more like it, and the other is looked for in twice the neighbourhood, beside the dots that are taken.
-// Differs from the paper: the neighbourhood goes along with the marker, since a jaw falls farther from frame to frame
-// than half of it; templates stay those of the first frame, so that errors do not add up. start: the points on the
-// first frame of the take. correction: points put right on this frame, by name; the template is taken anew there.
-// before: this node's result of the frame before.
+// on moving as they did, where the sum of squared differences, freed of gain and offset of light, is least. The search
+// is over whole pixels, with exact sums; the place between pixels is found by Gauss-Newton steps on the same sum,
+// together with how the square is stretched and sheared by skin that turns, with which the next frame's search begins.
+// A marker whose template is unlike what is found (zero-mean normalised correlation below least_likeness), or that
+// leaves the picture, is lost: not valid, at a guess that goes along with those about it. A warning names one that
+// leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the one that is
+// more like it. That and any other that is unlike its template, or is not where those about it say, is looked for in
+// twice the neighbourhood about where they say, beside the dots that are taken. Differs from the paper: light is taken
+// out, since the dark side of a head that turns was lost to brighter places; the neighbourhood goes along with the
+// marker, since a jaw falls farther from frame to frame than half of it; templates stay those of the first frame, so
+// that errors do not add up. start: the points on the first frame of the take. correction: points put right on this
+// frame, by name; the template is taken anew there. before: this node's result of the frame before.
 TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
                                  const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options,
                                  engine::Progress& progress);

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::align;
 
-NODE("align.track_markers", &track_markers, version{3},
+NODE("align.track_markers", &track_markers, version{4},
      doc{"Follows painted markers through a take of scans by template matching, to a fraction of a pixel."},
      input{"scan", "The scan"}, input{"start", "The markers on the take's first scan"},
      input{"correction", "Markers put right on this scan"},
@@ -17,4 +17,5 @@ NODE("align.track_markers", &track_markers, version{3},
      output("markers", &TrackMarkersResult::markers, "The markers of this scan"),
      output("templates", &TrackMarkersResult::templates, "Their squares side by side"),
      output("moved_px", &TrackMarkersResult::moved_px, "How far each went since the scan before"),
+     output("bends", &TrackMarkersResult::bends, "How its square lies against when it was taken"),
      output("report", &TrackMarkersResult::report, "Names of those that are lost here"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "nodes/align/crop.h"
 #include "nodes/align/find_markers.h"
 #include "nodes/align/fit_axis.h"
+#include "nodes/align/measure_dot.h"
 #include "nodes/align/orient.h"
 #include "nodes/align/track_markers.h"
 #include "tests/support/expect_throw_text.h"
@@ -66,17 +68,28 @@ class Heard : public engine::Progress {
   std::vector<std::string> texts;
 };
 
-// Equal dots of 3 px on skin that grows lighter to the right.
-DepthScan dotted_scan(const std::vector<std::pair<double, double>>& dots) {
+// A scan of 96 x 96 pixels whose grey at a place is light(x, y).
+template <class Light>
+DepthScan drawn_scan(Light light) {
   DepthScan scan;
   scan.picture = {96, 96, 1, {}};
   for (int y = 0; y < 96; ++y)
-    for (int x = 0; x < 96; ++x) {
-      double light = 90 + 0.1 * x;
-      for (const auto& [dot_x, dot_y] : dots) light += 120 / (1 + std::exp(2 * (std::hypot(x - dot_x, y - dot_y) - 3)));
-      scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::min(light, 255.0))));
-    }
+    for (int x = 0; x < 96; ++x)
+      scan.picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::clamp<double>(light(x, y), 0, 255))));
+  scan.depth_mm.assign(96 * 96, 600.0f);
   return scan;
+}
+
+// How much of a place (x, y beside its middle) a dot of 3 px covers.
+double in_dot(double x, double y) { return 1 / (1 + std::exp(2 * (std::hypot(x, y) - 3))); }
+
+// Equal dots of 3 px on skin that grows lighter to the right.
+DepthScan dotted_scan(const std::vector<std::pair<double, double>>& dots) {
+  return drawn_scan([&](double x, double y) {
+    double light = 90 + 0.1 * x;
+    for (const auto& [dot_x, dot_y] : dots) light += 120 * in_dot(x - dot_x, y - dot_y);
+    return light;
+  });
 }
 
 }  // namespace
@@ -119,7 +132,7 @@ TEST(TrackMarkers, NamesAMarkerThatLeavesThePictureAndKeepsTheRest) {
   ASSERT_EQ(heard.texts.size(), 1u);
   EXPECT_EQ(heard.texts[0].substr(0, 61), "marker at_the_edge leaves the picture of 640 x 480 pixels at ");
   EXPECT_FALSE(result.markers.points[6].valid);
-  EXPECT_EQ(result.markers.points[6].x_px, 5);
+  EXPECT_NEAR(result.markers.points[6].x_px, 5 - 6, 0.1);  // goes along with the rest
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(result.markers.points[i].x_px, start.points[i].x_px - 6, 0.02);
 }
 
@@ -141,9 +154,61 @@ TEST(TrackMarkers, DoesNotFollowTheDotOfAnotherMarker) {
   EXPECT_NEAR(result.markers.points[0].y_px, 40, 0.1);
   next(dotted_scan({{40, 46}}));
   EXPECT_EQ(result.report, "chin");
-  next(dotted_scan({{40, 44}, {40, 56}}));
+  next(dotted_scan({{40, 48}, {40, 60}}));
   EXPECT_EQ(result.report, "");
-  EXPECT_NEAR(result.markers.points[1].y_px, 56, 0.1);
+  EXPECT_NEAR(result.markers.points[1].y_px, 60, 0.1);
+}
+
+// The skin falls to a third of its light, beside skin that stays as it was.
+TEST(TrackMarkers, FollowsADotIntoShade) {
+  const auto shaded = [](double dot_x, double share) {
+    return drawn_scan(
+        [=](double x, double y) { return y > 52 ? 90.0 : share * (90 + 120 * in_dot(x - dot_x, y - 44)); });
+  };
+  const Landmarks start{{{"cheek", 40, 44, true}}};
+  TrackMarkersResult result = track_markers(shaded(40, 1), start, nullptr, {}, {}, quiet);
+  double x = 40;
+  for (const double share : {0.9, 0.7, 0.5, 0.33, 0.33}) {
+    x += 1.3;
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(shaded(x, share), start, nullptr, before, {}, quiet);
+    EXPECT_EQ(result.report, "") << share;
+    EXPECT_NEAR(result.markers.points[0].x_px, x, 0.1) << share;
+    EXPECT_NEAR(result.markers.points[0].y_px, 44, 0.1) << share;
+  }
+}
+
+// A disc that turns from 0 to 75 degrees and back: its square is bent with it, and is straight again in the end.
+TEST(TrackMarkers, FollowsADotThatTurnsAside) {
+  const auto turned = [](double width) {
+    return drawn_scan([=](double x, double y) { return 90 + 120 * in_dot((x - 40.3) / width, y - 44); });
+  };
+  const Landmarks start{{{"temple", 40.3, 44, true}}};
+  TrackMarkersResult result = track_markers(turned(1), start, nullptr, {}, {}, quiet);
+  for (const double width : {0.8, 0.6, 0.45, 0.33, 0.26, 0.26, 0.33, 0.4, 0.6, 0.8, 1.0, 1.0}) {
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(turned(width), start, nullptr, before, {}, quiet);
+    EXPECT_EQ(result.report, "") << width;
+    EXPECT_NEAR(result.markers.points[0].x_px, 40.3, 0.1) << width;
+    EXPECT_NEAR(result.bends.at(0, 0), width, 0.15);
+    EXPECT_NEAR(result.bends.at(0, 3), 1, 0.1);
+  }
+}
+
+// While a hand covers a marker the head moves on by farther than any search reaches.
+TEST(TrackMarkers, FindsAMarkerAgainWhereTheOthersSay) {
+  const Landmarks start{{{"brow", 20, 20, true}, {"nose", 30, 26, true}, {"cheek", 22, 40, true}}};
+  TrackMarkersResult result = track_markers(dotted_scan({{20, 20}, {30, 26}, {22, 40}}), start, nullptr, {}, {}, quiet);
+  for (int t = 1; t <= 9; ++t) {
+    const double x = 5 * t, y = 3 * t;
+    std::vector<std::pair<double, double>> dots = {{20 + x, 20 + y}, {30 + x, 26 + y}};
+    if (t == 9) dots.push_back({22 + x, 40 + y});
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(dotted_scan(dots), start, nullptr, before, {}, quiet);
+    EXPECT_EQ(result.report, t == 9 ? "" : "cheek");
+    EXPECT_NEAR(result.markers.points[2].x_px, 22 + x, 0.3);
+    EXPECT_NEAR(result.markers.points[2].y_px, 40 + y, 0.3);
+  }
 }
 
 // From 12 px per scan on each dot's place is where the other one was.
@@ -190,6 +255,38 @@ TEST(FindMarkers, FindsThePaintedDotsAndNothingElseOnTheSkin) {
       nearest = std::min(nearest, std::hypot(t.x_px - f.x_px, t.y_px - f.y_px));
     EXPECT_LE(nearest, 3) << f.name;
   }
+}
+
+// On a side that falls into shade, with a brow's edge in the ring about it.
+TEST(MeasureDot, IsNotPulledByShadeOrHair) {
+  const DepthScan scan = drawn_scan([](double x, double y) {
+    const double skin = y < 38.5 ? 30 : 120 - 2.5 * (x - 40);
+    return skin * (1 + 0.4 * in_dot(x - 40.3, y - 43.8));
+  });
+  const Dot dot = measure_dot(scan.picture, 40, 44, 3);
+  EXPECT_NEAR(dot.x_px, 40.3, 0.06);
+  EXPECT_NEAR(dot.y_px, 43.8, 0.06);
+  EXPECT_NEAR(dot.length_px, 1.5, 0.2);  // half of the radius of a disc
+  EXPECT_NEAR(dot.width_px, dot.length_px, 0.1);
+}
+
+TEST(MeasureDot, MeasuresDarkDotsAndSlantedOnes) {
+  const DepthScan scan = drawn_scan([](double x, double y) { return 180 - 110 * in_dot((x - 40.4) / 0.4, y - 44.2); });
+  const Dot dot = measure_dot(scan.picture, 40, 44, 3);
+  EXPECT_NEAR(dot.x_px, 40.4, 0.03);
+  EXPECT_NEAR(dot.y_px, 44.2, 0.03);
+  EXPECT_NEAR(dot.width_px / dot.length_px, 0.4, 0.1);
+}
+
+TEST(FindMarkers, TakesNoTeethBetweenLipsForADot) {
+  const DepthScan scan = drawn_scan([](double x, double y) {
+    const double lips = std::hypot((x - 48) / 3, y - 60) < 8 ? 70 : 150;
+    return lips + 110 / (1 + std::exp(4 * (std::hypot((x - 48) / 6, y - 60) - 0.6))) + 80 * in_dot(x - 30.2, y - 30.4);
+  });
+  const Landmarks found = find_markers(engine::Seq<DepthScan>({scan}));
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_NEAR(found.points[0].x_px, 30.2, 0.05);
+  EXPECT_NEAR(found.points[0].y_px, 30.4, 0.05);
 }
 
 TEST(LinkMarkers, GivesTheReferencesNamesToAnotherTakesMarkers) {
