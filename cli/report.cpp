@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/experiments.h"
@@ -22,6 +25,16 @@ using engine::escape_markup;
 // What a run did with a node.
 struct Fate {
   std::size_t run = 0, reused = 0, failed = 0, blocked = 0;
+  std::vector<std::string> failures;
+
+  void see(const engine::RunEvent& event) {
+    using Kind = engine::RunEvent::Kind;
+    run += event.kind == Kind::finished;
+    reused += event.kind == Kind::reused;
+    failed += event.kind == Kind::failed;
+    blocked += event.kind == Kind::blocked;
+    if (event.kind == Kind::failed) failures.push_back(event.text);
+  }
 };
 
 std::string seconds_text(double seconds) {
@@ -108,6 +121,59 @@ std::string inputs_of(const engine::Graph& graph, const engine::GraphNode& node)
   return html.empty() ? html : "<h3>Inputs</h3><div class=\"wide\"><table>" + html + "</table></div>";
 }
 
+struct Section {
+  std::string html;
+  engine::BoxNote note;  // on the picture of the graph
+};
+
+Section section_of(const engine::Graph& graph, const engine::GraphNode& node, const engine::StoredNode& record,
+                   const Fate& fate, Previews& previews) {
+  Section section;
+  engine::BoxNote& note = section.note;
+  note.link = "#" + anchor_of(node.id);
+  const std::string tasks = tasks_text(fate);
+  note.tone = fate.failed + fate.blocked > 0 ? "failed" : fate.run > 0 ? "run" : fate.reused > 0 ? "reused" : "";
+  if (!tasks.empty()) note.lines.push_back(tasks);
+
+  std::string& html = section.html;
+  html = "<section id=\"" + escape_markup(anchor_of(node.id)) + "\"><h2>" + escape_markup(node.id) +
+         " <span class=\"dim\">" + escape_markup(node.info->name) + "</span></h2><p class=\"dim\">" +
+         escape_markup(node.info->doc) + "</p>";
+  std::string summary = tasks;
+  if (record.stored > 0) summary += (summary.empty() ? "" : "; ") + seconds_text(record.seconds) + " when run";
+  if (node.info->cheap) summary += (summary.empty() ? "" : "; ") + std::string("its values are not kept");
+  if (!summary.empty()) html += "<p>" + escape_markup(summary) + "</p>";
+  html += list_of(fate.failures, "bad") + list_of(record.warnings, "warn");
+  html += params_of(node) + inputs_of(graph, node);
+  std::string size;
+  for (std::size_t o = 0; o < record.outputs.size(); ++o) {
+    const std::string& type = node.output_type[o];
+    const std::string bytes = previews.size(type, record.outputs[o]);
+    size = o == 0 ? bytes : size;
+    html += "<h3>" + escape_markup(node.info->outputs[o].name) + " <span class=\"dim\">" +
+            escape_markup(engine::port_type(type, node.output_depth[o])) + ", " + escape_markup(bytes) + "</span></h3>";
+    // What the engine's own nodes pass on is shown where it was made.
+    if (node.info->structural == engine::Structural::none)
+      html += "<div class=\"previews\">" + previews.show(type, record.outputs[o]) + "</div>";
+  }
+  html += "</section>\n";
+  if (record.stored > 0) size = seconds_text(record.seconds) + (size.empty() ? "" : ", " + size);
+  if (!size.empty()) note.lines.push_back(size);
+  if (!record.warnings.empty()) note.lines.push_back(std::to_string(record.warnings.size()) + " warnings");
+  return section;
+}
+
+std::string outputs_of(const engine::Graph& graph) {
+  std::string html;
+  for (const engine::GraphOutput& output : graph.outputs) {
+    if (output.source.kind != engine::Source::Kind::node) continue;
+    const std::string& node = graph.nodes[static_cast<std::size_t>(output.source.node)].id;
+    html += "<tr><th>" + escape_markup(output.name) + "</th><td><a href=\"#" + escape_markup(anchor_of(node)) + "\">" +
+            escape_markup(node) + "</a></td></tr>";
+  }
+  return "<section><h2>Outputs</h2><table>" + html + "</table></section>\n";
+}
+
 }  // namespace
 
 int report(const Common& common, const ReportArguments& arguments) {
@@ -117,19 +183,14 @@ int report(const Common& common, const ReportArguments& arguments) {
   if (!read_graph(arguments.graph, *plugins, graph)) return invalid;
   const auto store = open_store(common);
   std::map<std::string, Fate> fates;
-  std::map<std::string, std::vector<std::string>> failures, warnings;
+  std::set<std::string> told;  // failures of tasks
   ProgressPrinter progress(arguments.quiet);
   engine::RunOptions options;
   options.threads = arguments.threads;
   stop_on_interrupt(options);
   options.observer = [&](const engine::RunEvent& event) {
-    using Kind = engine::RunEvent::Kind;
-    Fate& fate = fates[event.node];
-    fate.run += event.kind == Kind::finished;
-    fate.reused += event.kind == Kind::reused;
-    fate.failed += event.kind == Kind::failed;
-    fate.blocked += event.kind == Kind::blocked;
-    if (event.kind == Kind::failed) failures[event.node].push_back(event.text);
+    fates[event.node].see(event);
+    if (event.kind == engine::RunEvent::Kind::failed) told.insert(event.text);
     progress.show(event);
   };
   const engine::RunResult result = engine::run_graph(graph, *plugins, *store, options);
@@ -147,68 +208,27 @@ int report(const Common& common, const ReportArguments& arguments) {
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const engine::GraphNode& node = graph.nodes[n];
     if (!node.needed) continue;
-    const engine::StoredNode& record = stored[n];
-    const Fate fate = fates[node.id];
-    all_seconds += record.seconds;
-    engine::BoxNote& note = notes[node.id];
-    note.link = "#" + anchor_of(node.id);
-    const std::string tasks = tasks_text(fate);
-    note.tone = fate.failed + fate.blocked > 0 ? "failed" : fate.run > 0 ? "run" : fate.reused > 0 ? "reused" : "";
-    if (!tasks.empty()) note.lines.push_back(tasks);
-
-    std::string html = "<section id=\"" + escape_markup(anchor_of(node.id)) + "\"><h2>" + escape_markup(node.id) +
-                       " <span class=\"dim\">" + escape_markup(node.info->name) + "</span></h2><p class=\"dim\">" +
-                       escape_markup(node.info->doc) + "</p>";
-    std::string summary = tasks;
-    if (record.stored > 0) summary += (summary.empty() ? "" : "; ") + seconds_text(record.seconds) + " when run";
-    if (node.info->cheap) summary += (summary.empty() ? "" : "; ") + std::string("its values are not kept");
-    if (!summary.empty()) html += "<p>" + escape_markup(summary) + "</p>";
-    html += list_of(failures[node.id], "bad") + list_of(record.warnings, "warn");
-    html += params_of(node) + inputs_of(graph, node);
-    std::string size;
-    for (std::size_t o = 0; o < record.outputs.size(); ++o) {
-      const std::string& type = node.output_type[o];
-      const std::string bytes = previews.size(type, record.outputs[o]);
-      size = o == 0 ? bytes : size;
-      html += "<h3>" + escape_markup(node.info->outputs[o].name) + " <span class=\"dim\">" +
-              escape_markup(engine::port_type(type, node.output_depth[o])) + ", " + escape_markup(bytes) +
-              "</span></h3>";
-      // What the engine's own nodes pass on is shown where it was made.
-      if (node.info->structural == engine::Structural::none)
-        html += "<div class=\"previews\">" + previews.show(type, record.outputs[o]) + "</div>";
-    }
-    sections += html + "</section>\n";
-    if (record.stored > 0) size = seconds_text(record.seconds) + (size.empty() ? "" : ", " + size);
-    if (!size.empty()) note.lines.push_back(size);
-    if (!record.warnings.empty()) note.lines.push_back(std::to_string(record.warnings.size()) + " warnings");
+    Section section = section_of(graph, node, stored[n], fates[node.id], previews);
+    sections += section.html;
+    notes[node.id] = std::move(section.note);
+    all_seconds += stored[n].seconds;
   }
 
-  std::string outputs;
-  for (const engine::GraphOutput& output : graph.outputs)
-    if (output.source.kind == engine::Source::Kind::node) {
-      const std::string& node = graph.nodes[static_cast<std::size_t>(output.source.node)].id;
-      outputs += "<tr><th>" + escape_markup(output.name) + "</th><td><a href=\"#" + escape_markup(anchor_of(node)) +
-                 "\">" + escape_markup(node) + "</a></td></tr>";
-    }
   char counts[160];
   std::snprintf(counts, sizeof counts,
                 "%zu tasks run, %zu reused, %zu failed, %zu blocked in %.2f s; all results took %s to make",
                 result.tasks.run, result.tasks.reused, result.tasks.failed, result.tasks.blocked, result.seconds,
                 seconds_text(all_seconds).c_str());
-  std::vector<std::string> other;  // failures that belong to no node
-  for (const std::string& failure : result.failures) {
-    bool told = false;
-    for (const auto& [node, texts] : failures) told |= std::find(texts.begin(), texts.end(), failure) != texts.end();
-    if (!told) other.push_back(failure);
-  }
+  std::vector<std::string> other;  // failures that belong to no task
+  for (const std::string& failure : result.failures)
+    if (!told.contains(failure)) other.push_back(failure);
   const std::string name = std::filesystem::path(arguments.graph.path).filename().string();
   const std::string page =
       html_page(name, "<h1>" + escape_markup(name) + "</h1>\n" +
                           (graph.doc.empty() ? "" : "<p>" + escape_markup(graph.doc) + "</p>\n") + "<p>" + counts +
                           "</p>\n" + list_of(other, "bad") + list_of(graph.notes, "warn") + "<pre>" +
                           escape_markup(command_of(arguments.graph)) + "</pre>\n<section><div class=\"wide\">" +
-                          engine::graph_svg(graph, notes) + "</div></section>\n<section><h2>Outputs</h2><table>" +
-                          outputs + "</table></section>\n" + sections);
+                          engine::graph_svg(graph, notes) + "</div></section>\n" + outputs_of(graph) + sections);
   write_whole(arguments.out, page);
   const bool failed = result.tasks.failed + result.tasks.blocked > 0 || !result.failures.empty();
   if (!arguments.quiet) std::fprintf(stderr, "%s: %s\n", arguments.out.c_str(), counts);
