@@ -72,39 +72,27 @@ std::vector<fs::path> named_files(const fs::path& file, const fs::path& graphs) 
   return found;
 }
 
-}  // namespace
+std::string listed_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 
-int make_new(const Common& common, const NewArguments& arguments) {
-  const fs::path graphs = graphs_folder();
-  const std::vector<std::string> names = starters(graphs);
-  if (names.empty()) throw engine::EngineError("there are no starter graphs in " + graphs.string());
-  if (arguments.from.empty() || arguments.folder.empty()) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    if (arguments.list) return std::printf("%s\n", text.c_str()), done;
-    throw std::invalid_argument("command line: expected facegraph new FOLDER --from NAME, where NAME is one of " +
-                                text);
-  }
-  // The beginning of a name is enough where no other begins so.
+// The beginning of a name is enough where no other begins so.
+std::string starter_meant(const std::string& from, const std::vector<std::string>& names) {
   std::vector<std::string> meant;
   for (const std::string& name : names) {
-    if (name == arguments.from) {
-      meant = {name};
-      break;
-    }
-    if (name.starts_with(arguments.from)) meant.push_back(name);
+    if (name == from) return name;
+    if (name.starts_with(from)) meant.push_back(name);
   }
-  if (meant.size() != 1) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    throw std::invalid_argument("command line: --from " + arguments.from + ": expected one of " + text +
-                                engine::did_you_mean(arguments.from, names));
-  }
-  const fs::path from = graphs / meant[0], to = arguments.folder;
-  if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
-    throw std::invalid_argument("command line: " + to.string() + " is there already: name a new or an empty folder");
+  if (meant.size() == 1) return meant[0];
+  throw std::invalid_argument("command line: --from " + from + ": expected one of " + listed_names(names) +
+                              engine::did_you_mean(from, names));
+}
 
-  // The folder's own files come to the top; what they name elsewhere in the tree comes below it.
+// What a starter needs, and its place in a folder of its own: its own files come to the top; what they name elsewhere
+// in the tree comes below it.
+std::map<fs::path, fs::path> copies_of(const fs::path& from, const fs::path& graphs) {
   std::map<fs::path, fs::path> copies;
   std::vector<fs::path> open;
   const auto add = [&](const fs::path& path) {
@@ -122,25 +110,49 @@ int make_new(const Common& common, const NewArguments& arguments) {
       for (const fs::path& named : named_files(path, graphs)) add(named);
     }
   }
-  for (const auto& [path, inner] : copies) {
-    if (fs::is_directory(path)) {
-      fs::create_directories(to / inner);
-      continue;
-    }
-    std::string text = content_of(path);
-    if (path.extension() == ".json" && path.parent_path() == from)
-      for (const fs::path& named : named_files(path, graphs)) {
-        const std::string was = "\"" + named.lexically_relative(from).string() + "\"";
-        const std::string is = "\"" + copies.at(named).string() + "\"";
-        for (std::size_t at = 0; was != is && (at = text.find(was, at)) != std::string::npos; at += is.size())
-          text.replace(at, was.size(), is);
-      }
-    // Comments say how to run the graphs from the project's folder; here they are run from theirs.
-    const std::string place = "graphs/" + meant[0] + "/";
-    if (path.extension() == ".json" && path.parent_path() == from)
-      for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos;) text.erase(at, place.size());
-    write_whole((to / inner).string(), text);
+  return copies;
+}
+
+void replace_all(std::string& text, const std::string& was, const std::string& is) {
+  if (was == is) return;
+  for (std::size_t at = 0; (at = text.find(was, at)) != std::string::npos; at += is.size())
+    text.replace(at, was.size(), is);
+}
+
+// A starter's file as it is copied: a graph names other files by their new places, and its comments, which say how it
+// is run from the project's folder, how it is run from its own.
+std::string text_to_copy(const fs::path& path, const std::map<fs::path, fs::path>& copies, const fs::path& from,
+                         const fs::path& graphs) {
+  std::string text = content_of(path);
+  if (path.extension() != ".json" || path.parent_path() != from) return text;
+  for (const fs::path& named : named_files(path, graphs))
+    replace_all(text, "\"" + named.lexically_relative(from).string() + "\"", "\"" + copies.at(named).string() + "\"");
+  replace_all(text, "graphs/" + from.filename().string() + "/", "");
+  return text;
+}
+
+}  // namespace
+
+int make_new(const Common& common, const NewArguments& arguments) {
+  const fs::path graphs = graphs_folder();
+  const std::vector<std::string> names = starters(graphs);
+  if (names.empty()) throw engine::EngineError("there are no starter graphs in " + graphs.string());
+  if (arguments.from.empty() || arguments.folder.empty()) {
+    if (arguments.list) return std::printf("%s\n", listed_names(names).c_str()), done;
+    throw std::invalid_argument("command line: expected facegraph new FOLDER --from NAME, where NAME is one of " +
+                                listed_names(names));
   }
+  const std::string starter = starter_meant(arguments.from, names);
+  const fs::path from = graphs / starter, to = arguments.folder;
+  if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
+    throw std::invalid_argument("command line: " + to.string() + " is there already: name a new or an empty folder");
+
+  const std::map<fs::path, fs::path> copies = copies_of(from, graphs);
+  for (const auto& [path, inner] : copies)
+    if (fs::is_directory(path))
+      fs::create_directories(to / inner);
+    else
+      write_whole((to / inner).string(), text_to_copy(path, copies, from, graphs));
   // Names, ranges and texts while typing, in VS Code.
   write_whole((to / ".vscode" / "graph.schema.json").string(), engine::graph_schema(*open_plugins(common)));
   write_whole((to / ".vscode" / "settings.json").string(),
@@ -148,8 +160,7 @@ int make_new(const Common& common, const NewArguments& arguments) {
               "[\"/*.json\"], \"url\": "
               "\"./.vscode/graph.schema.json\"}]\n}\n");
 
-  std::printf("%s: graphs from %s\n", to.string().c_str(), meant[0].c_str());
-  std::vector<std::string> lines;
+  std::printf("%s: graphs from %s\n", to.string().c_str(), starter.c_str());
   for (const auto& [path, inner] : copies)
     if (inner.extension() == ".json" && !inner.has_parent_path()) {
       const std::string text = content_of(path);

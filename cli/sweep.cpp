@@ -204,26 +204,23 @@ class Results {
   std::vector<std::size_t> differs_;
 };
 
-}  // namespace
-
-int sweep(const Common& common, const SweepArguments& arguments) {
-  catch_interrupts();
-  const auto plugins = open_plugins(common);
-  const std::vector<engine::Setting> fixed = settings_of(arguments.graph.sets);
-  const engine::GraphReading base = read_graph(arguments.graph.path, fixed, *plugins);
-  const Experiment experiment = experiment_of(arguments, base.graph.sweep);
-  if (arguments.outputs && arguments.out.empty()) refuse("--outputs goes with --out FOLDER");
-
+std::vector<Variant> variants_of(const Experiment& experiment, const SweepArguments& arguments,
+                                 const engine::Plugins& plugins) {
   std::vector<Variant> variants;
   for (const auto& settings : engine::combinations(experiment.vary)) {
     Variant& variant = variants.emplace_back();
     variant.settings = settings;
-    std::vector<engine::Setting> all = fixed;
+    std::vector<engine::Setting> all = settings_of(arguments.graph.sets);
     all.insert(all.end(), settings.begin(), settings.end());
-    engine::GraphReading reading = read_graph(arguments.graph.path, all, *plugins);
+    engine::GraphReading reading = read_graph(arguments.graph.path, all, plugins);
     variant.graph = std::move(reading.graph);
     variant.problems = std::move(reading.problems);
   }
+  return variants;
+}
+
+// The values of every variant, as they were written.
+std::vector<std::vector<std::string>> shown_values(const Experiment& experiment) {
   std::vector<SweepSettings::Vary> as_written = experiment.vary;
   for (auto& vary : as_written) vary.values = vary.shown;
   std::vector<std::vector<std::string>> shown;
@@ -231,14 +228,11 @@ int sweep(const Common& common, const SweepArguments& arguments) {
     auto& row = shown.emplace_back();
     for (const engine::Setting& setting : settings) row.push_back(setting.value);
   }
+  return shown;
+}
 
-  // What is wrong with every variant is wrong with the graph, or with what was typed.
-  if (std::all_of(variants.begin(), variants.end(), [](const Variant& variant) { return !variant.problems.empty(); })) {
-    for (const engine::Problem& problem : variants[0].problems)
-      std::fprintf(stderr, "%s\n", line_of(problem, experiment).c_str());
-    std::fprintf(stderr, "none of the %zu variants is a valid graph; nothing was run\n", variants.size());
-    return invalid;
-  }
+// Throws for a metric that no variant has.
+void check_metrics(const Experiment& experiment, const std::vector<Variant>& variants) {
   for (std::size_t m = 0; m < experiment.metrics.size(); ++m) {
     const engine::Reference& reference = experiment.metrics[m].reference;
     std::vector<std::string> nodes, outputs;  // of all variants: their kinds may differ
@@ -259,6 +253,36 @@ int sweep(const Common& common, const SweepArguments& arguments) {
       refuse(start + "node '" + reference.node + "' has no output '" + reference.output + "'" +
              engine::did_you_mean_of(reference.output, outputs));
   }
+}
+
+void publish_outputs(Variant& variant, const engine::RunOptions& options, engine::Plugins& plugins,
+                     engine::Store& store, engine::SweepResult& result) {
+  engine::Graph graph = variant.graph;
+  graph.path += "#sweep";
+  const engine::RunResult ran = engine::run_graph(graph, plugins, store, options);
+  result.tasks.run += ran.tasks.run;
+  result.seconds += ran.seconds;
+  if (variant.failure.empty() && !ran.failures.empty()) variant.failure = ran.failures.front();
+}
+
+}  // namespace
+
+int sweep(const Common& common, const SweepArguments& arguments) {
+  catch_interrupts();
+  const auto plugins = open_plugins(common);
+  const engine::GraphReading base = read_graph(arguments.graph.path, settings_of(arguments.graph.sets), *plugins);
+  const Experiment experiment = experiment_of(arguments, base.graph.sweep);
+  if (arguments.outputs && arguments.out.empty()) refuse("--outputs goes with --out FOLDER");
+
+  std::vector<Variant> variants = variants_of(experiment, arguments, *plugins);
+  // What is wrong with every variant is wrong with the graph, or with what was typed.
+  if (std::all_of(variants.begin(), variants.end(), [](const Variant& variant) { return !variant.problems.empty(); })) {
+    for (const engine::Problem& problem : variants[0].problems)
+      std::fprintf(stderr, "%s\n", line_of(problem, experiment).c_str());
+    std::fprintf(stderr, "none of the %zu variants is a valid graph; nothing was run\n", variants.size());
+    return invalid;
+  }
+  check_metrics(experiment, variants);
   std::set<std::string> notes;
   for (Variant& variant : variants) {
     for (engine::Problem& problem : variant.problems) problem = {{}, line_of(problem, experiment)};
@@ -276,23 +300,17 @@ int sweep(const Common& common, const SweepArguments& arguments) {
   engine::SweepResult result = engine::run_sweep(variants, experiment.metrics, *plugins, *store, options);
   progress.finish();
 
-  std::vector<std::string> folders;
+  std::vector<std::string> folders;  // of the variants' outputs, where they are published
   for (std::size_t v = 0; v < variants.size() && arguments.outputs && !interrupt_requested(); ++v) {
-    Variant& variant = variants[v];
     folders.push_back("variant" + std::to_string(v + 1));
-    if (!variant.problems.empty()) continue;
     engine::RunOptions publish = options;
     publish.out_folder = (std::filesystem::path(arguments.out) / folders.back()).string();
-    engine::Graph graph = variant.graph;
-    graph.path += "#sweep";
-    const engine::RunResult ran = engine::run_graph(graph, *plugins, *store, publish);
+    if (variants[v].problems.empty()) publish_outputs(variants[v], publish, *plugins, *store, result);
     progress.finish();
-    result.tasks.run += ran.tasks.run;
-    result.seconds += ran.seconds;
-    if (variant.failure.empty() && !ran.failures.empty()) variant.failure = ran.failures.front();
   }
 
   const std::vector<std::size_t> order = order_of(variants, arguments.largest_first);
+  const std::vector<std::vector<std::string>> shown = shown_values(experiment);
   const Results results(experiment, variants, shown, folders);
   if (!arguments.out.empty() && (folders.empty() || folders.size() == variants.size())) {
     const std::filesystem::path out = arguments.out;
