@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,64 @@ json without_channels(const json& animations, const std::vector<WeightChannel>& 
   return kept;
 }
 
+// The accessors that animations read.
+std::set<std::size_t> accessors_of(const json& animations) {
+  std::set<std::size_t> accessors;
+  for (const json& animation : animations)
+    for (const json& sampler : animation.value("samplers", json::array()))
+      for (const char* end : {"input", "output"})
+        if (sampler.contains(end)) accessors.insert(sampler[end].get<std::size_t>());
+  return accessors;
+}
+
+// The accessors that animations have read, and that nothing reads where these are left of them.
+std::set<std::size_t> unread(const json& before, const json& left, const json& document) {
+  std::set<std::size_t> accessors = accessors_of(before);
+  for (const std::size_t read : accessors_of(left)) accessors.erase(read);
+  const auto keep = [&](const json& index) {
+    if (index.is_number_unsigned()) accessors.erase(index.get<std::size_t>());
+  };
+  for (const json& mesh : document.value("meshes", json::array()))
+    for (const json& primitive : mesh.value("primitives", json::array())) {
+      keep(primitive.value("indices", json()));
+      for (const json& index : primitive.value("attributes", json::object())) keep(index);
+      for (const json& target : primitive.value("targets", json::array()))
+        for (const json& index : target) keep(index);
+    }
+  for (const json& skin : document.value("skins", json::array())) keep(skin.value("inverseBindMatrices", json()));
+  return accessors;
+}
+
+// Takes out what only animations have read that are gone, where it lies at the end, as what was appended does: a head
+// that is animated again and again does not grow.
+void drop_last(const std::set<std::size_t>& gone, Glb& glb) {
+  json &accessors = glb.document["accessors"], &views = glb.document["bufferViews"];
+  std::set<std::size_t> views_gone;
+  while (!accessors.empty() && gone.contains(accessors.size() - 1) && !accessors.back().contains("sparse")) {
+    if (accessors.back().contains("bufferView")) views_gone.insert(accessors.back()["bufferView"].get<std::size_t>());
+    accessors.erase(accessors.size() - 1);
+  }
+  const auto keep = [&](const json& reader) {
+    if (reader.is_object() && reader.contains("bufferView")) views_gone.erase(reader["bufferView"].get<std::size_t>());
+  };
+  for (const json& accessor : accessors) {
+    keep(accessor);
+    const json sparse = accessor.value("sparse", json::object());
+    keep(sparse.value("indices", json())), keep(sparse.value("values", json()));
+  }
+  for (const json& image : glb.document.value("images", json::array())) keep(image);
+  while (!views.empty() && views_gone.contains(views.size() - 1)) {
+    const auto begin_of = [](const json& view) { return view.value("byteOffset", std::size_t{0}); };
+    const auto end_of = [&](const json& view) { return begin_of(view) + view.value("byteLength", std::size_t{0}); };
+    const json last = views.back();
+    constexpr std::size_t most_padding = 3;
+    const bool at_end = end_of(last) <= glb.binary.size() && end_of(last) + most_padding >= glb.binary.size();
+    views.erase(views.size() - 1);
+    if (at_end && std::all_of(views.begin(), views.end(), [&](const json& v) { return end_of(v) <= begin_of(last); }))
+      glb.binary.resize(begin_of(last));
+  }
+}
+
 // Puts the new accessors behind those of the file.
 void append(GltfBuffer buffer, json& animation, Glb& glb) {
   json& document = glb.document;
@@ -102,8 +161,10 @@ std::optional<engine::File> animate_original(const engine::File& original, const
   if (channels.empty()) return std::nullopt;
   GltfBuffer buffer;
   json animation = animation_of(channels, timeline, buffer);
+  const json before = glb.document.value("animations", json::array());
+  json all = without_channels(before, channels);
+  drop_last(unread(before, all, glb.document), glb);
   append(std::move(buffer), animation, glb);
-  json all = without_channels(glb.document.value("animations", json::array()), channels);
   all.insert(all.begin(), std::move(animation));
   glb.document["animations"] = std::move(all);
   return engine::File::from_bytes(decode::glb_bytes(std::move(glb.document), std::move(glb.binary)), ".glb");

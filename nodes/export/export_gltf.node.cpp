@@ -8,7 +8,7 @@
 using namespace engine::declare;
 using namespace face::exports;
 
-NODE("export.gltf", &export_gltf, version{2},
+NODE("export.gltf", &export_gltf, version{3},
      doc{"Writes a rig and its animation as binary glTF: a morph target per blend shape, in the rig's order, with "
          "names."},
      input{"rig", "Head and its blend shapes"}, input{"frames", "Blend-shape weights of every frame"},
