@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "nodes/align/marker_square.h"
 #include "nodes/base/check.h"
@@ -54,36 +55,42 @@ class Constellation {
       const Landmark &from = start.points[i], &last = before.markers.points[i];
       squares_.emplace_back(before.templates, i, side_,
                             Place{from.x_px - corner_of(from.x_px, side_), from.y_px - corner_of(from.y_px, side_)});
+      start_places_.push_back({from.x_px, from.y_px});
       last_.push_back({last.x_px, last.y_px});
       own_forecast_.push_back({last.x_px + before.moved_px.at(i, 0), last.y_px + before.moved_px.at(i, 1)});
     }
     follow();
     look_again();
+    settle();
   }
 
   const MarkerMatch& match(std::size_t i) const { return matches_[i]; }
   bool is_found(std::size_t i) const { return matches_[i].likeness >= options_.least_likeness && is_inside(i); }
   bool is_inside(std::size_t i) const { return fits(grey_, matches_[i].at.x, matches_[i].at.y, side_); }
-  // How far those about a marker went: the mean by the fourth power of their nearness on the first frame. `forecasts`:
-  // beside their own forecasts and not beside their last places.
-  Place neighbours_went(std::size_t i, bool beside_forecasts) const {
-    double x = 0, y = 0, sum = 0;
-    for (std::size_t k = 0; k < count(); ++k) {
-      if (k == i || !sure_[k]) continue;
-      const double dx = start_.points[k].x_px - start_.points[i].x_px,
-                   dy = start_.points[k].y_px - start_.points[i].y_px;
-      const double square = dx * dx + dy * dy + 1, weight = 1 / (square * square);
-      const Place& from = beside_forecasts ? own_forecast_[k] : last_[k];
-      x += weight * (matches_[k].at.x - from.x);
-      y += weight * (matches_[k].at.y - from.y);
-      sum += weight;
-    }
-    return sum > 0 ? Place{x / sum, y / sum} : Place{};
+  // Where a marker is that is not seen: as far from its start as those about it; its last place where none is followed.
+  Place guess(std::size_t i) const {
+    const std::optional<Place> went = neighbours_beside(i, start_places_);
+    return went ? Place{start_places_[i].x + went->x, start_places_[i].y + went->y} : last_[i];
   }
 
  private:
   std::size_t count() const { return start_.points.size(); }
   bool was_followed(std::size_t i) const { return before_.markers.points[i].valid; }
+
+  // How far those about a marker are beside `from`: the mean by the fourth power of their nearness on the first frame.
+  std::optional<Place> neighbours_beside(std::size_t i, const std::vector<Place>& from) const {
+    double x = 0, y = 0, sum = 0;
+    for (std::size_t k = 0; k < count(); ++k) {
+      if (k == i || !sure_[k]) continue;
+      const double dx = start_places_[k].x - start_places_[i].x, dy = start_places_[k].y - start_places_[i].y;
+      const double square = dx * dx + dy * dy + 1, weight = 1 / (square * square);
+      x += weight * (matches_[k].at.x - from[k].x);
+      y += weight * (matches_[k].at.y - from[k].y);
+      sum += weight;
+    }
+    if (sum == 0) return std::nullopt;
+    return Place{x / sum, y / sum};
+  }
 
   void look(std::size_t i, const Place& forecast, int times, double cost, const std::vector<Place>* taken) {
     const auto bend = before_.bends.values.begin() + static_cast<std::ptrdiff_t>(4 * i);
@@ -112,9 +119,9 @@ class Constellation {
   }
 
   Place forecast(std::size_t i) const {
-    const Place more = neighbours_went(i, was_followed(i));
-    const Place& from = was_followed(i) ? own_forecast_[i] : last_[i];
-    return {from.x + more.x, from.y + more.y};
+    if (!was_followed(i)) return guess(i);
+    const Place more = neighbours_beside(i, own_forecast_).value_or(Place{});
+    return {own_forecast_[i].x + more.x, own_forecast_[i].y + more.y};
   }
 
   // The others in twice the neighbourhood about where those about them say, beside the dots that are taken; the surest
@@ -149,13 +156,41 @@ class Constellation {
     }
   }
 
+  // A marker without a dot is looked for about the guess, also on dots that are taken. It takes another one's if that
+  // lies where those about it say and not where those about the other say; the other is looked for once more.
+  void settle() {
+    for (std::size_t k = 0; k < count(); ++k) {
+      if (is_found(k)) continue;
+      const MarkerMatch before = matches_[k];
+      const Place here = guess(k);
+      look(k, here, 2, second_cost, nullptr);
+      std::size_t owner = k;
+      for (std::size_t i = 0; i < count(); ++i)
+        if (i != k && is_found(i) && is_near(matches_[k].at, matches_[i].at, same_dot_px)) owner = i;
+      const bool is_its_own =
+          owner == k || distance(here, matches_[k].at) < 0.5 * distance(guess(owner), matches_[k].at);
+      if (matches_[k].likeness < sure_likeness || !is_its_own) {
+        matches_[k] = before;
+        continue;
+      }
+      sure_[k] = true;
+      if (owner == k) continue;
+      sure_[owner] = false;
+      std::vector<Place> taken;
+      for (std::size_t i = 0; i < count(); ++i)
+        if (i != owner && is_found(i)) taken.push_back(matches_[i].at);
+      look(owner, guess(owner), 2, second_cost, &taken);
+      sure_[owner] = is_found(owner) && matches_[owner].likeness >= sure_likeness;
+    }
+  }
+
   const GreyPicture& grey_;
   const Landmarks& start_;
   const TrackMarkersResult& before_;
   const TrackMarkersOptions& options_;
   int side_, reach_px_;
   std::vector<MarkerSquare> squares_;
-  std::vector<Place> last_, own_forecast_;  // own: on moving as it did
+  std::vector<Place> start_places_, last_, own_forecast_;  // own: on moving as it did
   std::vector<MarkerMatch> matches_;
   std::vector<bool> sure_;
 };
@@ -203,9 +238,9 @@ TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, 
       const bool was_followed = point.valid;
       point.valid = found.is_found(i);
       if (!point.valid) {
-        const Place went = found.neighbours_went(i, false);
-        point.x_px += went.x;
-        point.y_px += went.y;
+        const Place guess = found.guess(i);
+        point.x_px = guess.x;
+        point.y_px = guess.y;
         continue;
       }
       if (was_followed) {

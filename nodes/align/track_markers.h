@@ -31,7 +31,7 @@ struct TrackMarkersResult {
 // is over whole pixels, with exact sums; the place between pixels is found by Gauss-Newton steps on the same sum,
 // together with how the square is stretched and sheared by skin that turns, with which the next frame's search begins.
 // A marker whose template is unlike what is found (zero-mean normalised correlation below least_likeness), or that
-// leaves the picture, is lost: not valid, at a guess that goes along with those about it. A warning names one that
+// leaves the picture, is lost: not valid, at a guess, as far from its start as those about it. A warning names one that
 // leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the one that is
 // more like it. That and any other that is unlike its template, or is not where those about it say, is looked for in
 // twice the neighbourhood about where they say, beside the dots that are taken. Differs from the paper: light is taken

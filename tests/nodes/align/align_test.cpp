@@ -227,6 +227,31 @@ TEST(TrackMarkers, FollowsAJawThatFallsFartherThanTheSearchReaches) {
   }
 }
 
+// On moving as it did the lip's marker would be where the chin's dot is now.
+TEST(TrackMarkers, FollowsAJawThatSnapsShut) {
+  struct Spot {
+    const char* name;
+    double x, y, fall;  // fall: of the jaw's
+  };
+  const std::vector<Spot> spots = {
+      {"nose", 48, 10, 0}, {"lip", 48, 40, 1}, {"chin", 48, 70, 1}, {"right", 30, 55, 0.6}, {"left", 66, 55, 0.6}};
+  const auto scan_of = [&](double fall) {
+    std::vector<std::pair<double, double>> dots;
+    for (const Spot& spot : spots) dots.push_back({spot.x, spot.y + spot.fall * fall});
+    return dotted_scan(dots);
+  };
+  Landmarks start;
+  for (const Spot& spot : spots) start.points.push_back({spot.name, spot.x, spot.y, true});
+  TrackMarkersResult result = track_markers(scan_of(0), start, nullptr, {}, {}, quiet);
+  for (const double fall : {0.0, 15.0, 1.0, 0.0}) {
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    result = track_markers(scan_of(fall), start, nullptr, before, {}, quiet);
+    EXPECT_EQ(result.report, "") << fall;
+    for (std::size_t i = 0; i < spots.size(); ++i)
+      EXPECT_NEAR(result.markers.points[i].y_px, spots[i].y + spots[i].fall * fall, 0.1) << fall << spots[i].name;
+  }
+}
+
 TEST(TrackMarkers, TakesACorrection) {
   const auto frame = stream().frame(stream().weights({}));
   const Landmarks start = true_start(frame);
