@@ -257,6 +257,7 @@ const char* symbol_word(char c) {
 }  // namespace
 
 std::string ascii_text(std::string_view text, std::vector<std::string>& warnings) {
+  constexpr std::size_t most_named = 20;
   std::string ascii, dropped;
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size();) {
@@ -274,13 +275,13 @@ std::string ascii_text(std::string_view text, std::vector<std::string>& warnings
       ascii += spelling;
     } else {
       ascii += ' ';
-      dropped += text.substr(i, length);
-      ++count;
+      if (count++ < most_named) dropped += text.substr(i, length);
     }
     i += length;
   }
   if (count > 0)
-    warnings.push_back(message("left out ", count, " characters that cannot be read as English: ", dropped));
+    warnings.push_back(message("left out ", count, count == 1 ? " character" : " characters",
+                               " that cannot be read as English: ", dropped, count > most_named ? " ..." : ""));
   return ascii;
 }
 

@@ -48,6 +48,11 @@ TEST(NormalizeText, TakesAccentsAwayAndReportsOtherScripts) {
   EXPECT_EQ(normalized.words, (std::vector<std::string>{"cafe", "naive", "end"}));
   ASSERT_EQ(normalized.warnings.size(), 1u);
   EXPECT_EQ(normalized.warnings[0], "left out 2 characters that cannot be read as English: \u6f22\u5b57");
+  std::string page, named;
+  for (int i = 0; i < 1000; ++i) page += "\u6f22";
+  for (int i = 0; i < 20; ++i) named += "\u6f22";
+  EXPECT_EQ(face::speech::normalize_text(page).warnings.at(0),
+            "left out 1000 characters that cannot be read as English: " + named + " ...");
 }
 
 TEST(NormalizeText, FindsNoWordsInPunctuation) {

@@ -85,7 +85,7 @@ TEST(Say, WarnsOfCharactersItLeavesOut) {
   test::Warnings warnings;
   say("Caf\u00e9 \u6f22", nullptr, {}, warnings);
   ASSERT_EQ(warnings.texts.size(), 1u);
-  EXPECT_EQ(warnings.texts[0], "left out 1 characters that cannot be read as English: \u6f22");
+  EXPECT_EQ(warnings.texts[0], "left out 1 character that cannot be read as English: \u6f22");
 }
 
 TEST(Say, TellsHowItSpokeWordsThatTheDictionaryLacks) {
