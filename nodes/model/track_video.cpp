@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,12 +20,20 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double sizes_px[] = {30, 60, 110};  // distance of the outer corners of the eyes
+// Distance of the outer corners of the eyes, and how many times the steps: a mouth that opens by 10 mm within a frame
+// is caught in the smallest picture.
+struct Stage {
+  double eyes_px, steps;
+};
+constexpr Stage stages[] = {{30, 2.5}, {60, 1.5}, {110, 1}};
 constexpr double usual_eye_distance_mm = 90;
 // Eyes and mouth are drawn dark, so shut lids and teeth look unlike: 32 of 146 frames of a made person. Up to this
 // difference the skin alone decides. The same person's frames come to 0.013, other persons' to 0.034 and more.
 constexpr double same_skin_rms = 0.02;
 constexpr double scale_sigma = 0.05, overlap_sigma_mm = 0.3;
+// Lids that shut bring skin to light which the first frame did not show, and turned the head by up to 1.6 degrees: what
+// lies within an ellipse about the corners of an eye is not compared.
+constexpr double eye_width = 1.4, eye_height_share = 0.8;  // of the distance of the corners; of the width
 
 // The map's colour at every vertex of the basis.
 std::vector<Vec3f> vertex_colours(const MorphableModel& model, const SkinBasis& basis, const AlbedoMap& map) {
@@ -45,10 +54,28 @@ std::vector<Vec3f> vertex_colours(const MorphableModel& model, const SkinBasis& 
   return colours;
 }
 
+// The basis without the triangles about the eyes.
+SkinBasis without_lids(const MorphableModel& model, SkinBasis basis) {
+  if (model.landmarks68.size() != 68) return basis;
+  std::vector<bool> is_lid(basis.vertices.size());
+  for (const std::array<std::size_t, 2>& corners : {std::array<std::size_t, 2>{36, 39}, {42, 45}}) {
+    const Vec3f &a = model.mean.points_mm[model.landmarks68[corners[0]]],
+                &b = model.mean.points_mm[model.landmarks68[corners[1]]];
+    const float half = 0.5f * static_cast<float>(eye_width) * std::abs(a[0] - b[0]);
+    for (std::size_t v = 0; v < is_lid.size(); ++v) {
+      const float x = (basis.mean_mm[v][0] - 0.5f * (a[0] + b[0])) / half;
+      const float y = (basis.mean_mm[v][1] - 0.5f * (a[1] + b[1])) / (static_cast<float>(eye_height_share) * half);
+      if (x * x + y * y < 1) is_lid[v] = true;
+    }
+  }
+  std::erase_if(basis.triangles, [&](const auto& t) { return is_lid[t[0]] || is_lid[t[1]] || is_lid[t[2]]; });
+  return basis;
+}
+
 struct Tracked {
-  const MorphableModel* model;
-  const TrackVideoOptions* options;
-  SkinBasis basis;
+  const MorphableModel* model = nullptr;
+  const TrackVideoOptions* options = nullptr;
+  SkinBasis whole, basis;  // basis: without the lids
   std::vector<Vec3f> colours;
   std::vector<double> identity, centre;  // centre: the frame before's expression
   std::vector<std::vector<double>> gaps;
@@ -124,10 +151,11 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   check(albedo.width > 0 && albedo.height > 0 &&
             albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
         "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
-  Tracked tracked{
-      &model, &options, make_skin_basis(model, start.identity.size(), static_cast<std::size_t>(options.expressions), 0),
-      {},     {},       {},
-      {}};
+  Tracked tracked;
+  tracked.model = &model;
+  tracked.options = &options;
+  tracked.whole = make_skin_basis(model, start.identity.size(), static_cast<std::size_t>(options.expressions), 0);
+  tracked.basis = without_lids(model, tracked.whole);
   tracked.colours = vertex_colours(model, tracked.basis, albedo);
   tracked.identity.assign(start.identity.begin(), start.identity.end());
   tracked.gaps = lip_gap_rows(model);
@@ -138,28 +166,29 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   state.pose = pose_of(before.camera, turning_point(model));
   state.expression = tracked.centre;
   state.light = start.light;
-  state.seen = shadow_of(tracked.basis, tracked.identity, state);
+  state.seen = shadow_of(tracked.whole, tracked.identity, state);
   Random random(static_cast<std::uint64_t>(options.seed));
   const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
   std::array<double, FacePose::size> moved_so_far{};
   PictureLevel level;
-  for (const double size_px : sizes_px) {
-    level = make_level(frame, std::min(1.0, size_px / eyes_px));
-    for (std::int64_t i = 0; i < options.steps; ++i) step(tracked, level, eyes_px, random, state, moved_so_far);
-    if (size_px >= eyes_px) break;
+  for (const Stage& stage : stages) {
+    level = make_level(frame, std::min(1.0, stage.eyes_px / eyes_px));
+    const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
+    for (std::int64_t i = 0; i < steps; ++i) step(tracked, level, eyes_px, random, state, moved_so_far);
+    if (stage.eyes_px >= eyes_px) break;
   }
   FaceFit& fit = result.fit;
   fit.expression.assign(state.expression.begin(), state.expression.end());
   fit.camera = camera_of(state.pose);
   fit.lip_gap_mm = lip_gap_of(model, fit.expression);
   const PixelRows rows =
-      pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
+      pixel_rows(tracked.whole, tracked.identity, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
   fit.image_rms = trimmed_rms(rows.residual);
   if (!(fit.image_rms <= options.max_image_rms)) {
     fit.problem = message("frame and model differ by ", std::lround(100 * fit.image_rms),
                           " % of the scale: the face is lost here; start anew after it");
   } else {
-    LikenessFace face{model, tracked.basis, tracked.identity, state, eyes_px, &tracked.colours};
+    LikenessFace face{model, tracked.whole, tracked.identity, state, eyes_px, &tracked.colours};
     const PictureLevel small = make_level(frame, std::min(1.0, likeness_eyes_px / eyes_px));
     double seen = likeness(face, small);
     if (seen < options.min_likeness && fit.image_rms <= same_skin_rms) {

@@ -5,13 +5,14 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.track_video", &track_video, version{2},
+NODE("model.track_video", &track_video, version{3},
      doc{"Follows a fitted head and its mouth through a video, frame by frame, by what it looks like."},
      input{"model", "The morphable model"}, input{"frame", "The video's frames"},
      input{"start", "The fit of the first frame"}, input{"albedo", "The face's colours, of texture.extract"},
      param("expressions", &TrackVideoOptions::expressions, range{0, 1000}, unit{"1"}, "Leading components that move"),
      param("points", &TrackVideoOptions::points, range{50, 100000}, unit{"1"}, "Random pixels per step"),
-     param("steps", &TrackVideoOptions::steps, range{1, 1000}, unit{"1"}, "Steps at each of three sizes"),
+     param("steps", &TrackVideoOptions::steps, range{1, 1000}, unit{"1"},
+           "Steps at the largest of three sizes; 1.5 times as many at the middle one, 2.5 at the smallest"),
      param("image_weight", &TrackVideoOptions::image_weight, range{0, 1000000}, unit{"1"},
            "How many independent points a frame counts as"),
      param("change_sigma", &TrackVideoOptions::change_sigma, range{0.001, 100}, unit{"1"},

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "nodes/base/pose.h"
 #include "nodes/model/face_pose.h"
+#include "nodes/model/fit_image.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/model/track_video.h"
+#include "nodes/phantom/make_person.h"
 #include "nodes/render/camera.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
@@ -396,6 +399,45 @@ TEST(TrackVideo, FollowsAHeadThatTurnsAndAMouthThatOpens) {
                 static_cast<double>(test::head().inner_lips.size());
   EXPECT_NEAR(prior->fit.lip_gap_mm, truth_mm, 2.5);
 }
+
+// How far a person's head turns for the tracker while it stands still and these shapes move.
+double turned_deg(const std::vector<std::string>& beginnings) {
+  static const ShapeSet modes = phantom::identity_modes({.with_hair = false});
+  static const MorphableModel model =
+      model::from_rig(test::head(), &modes, {.expressions = 40, .samples = 200, .skins = 40});
+  static const phantom::MakePersonResult made =
+      phantom::make_person(test::head(), &modes, nullptr, {.seed = 4, .warp_mm = 0.7});
+  const test::Scene scene = test::make_scene(8);
+  const auto picture = [&](const Weights& weights) {
+    return phantom::video_frame(made.person, weights, &scene.world_from_head, scene.camera, scene.lighting, &made.dots,
+                                nullptr, nullptr, {.width_px = 480, .height_px = 480});
+  };
+  const Image first = picture(rest());
+  static const FaceFit start =
+      model::fit_image(model, first, test::points_of(scene, made.person.neutral.points_mm, 0.5));
+  EXPECT_TRUE(start.converged) << start.problem;
+  const AlbedoMap map = extract(model, first, start);
+  engine::Prior<model::TrackVideoResult> prior;
+  for (const float strength : {0.15f, 0.3f, 0.45f}) {
+    Weights weights = rest();
+    for (std::size_t s = 0; s < weights.values.size(); ++s)
+      for (const std::string& beginning : beginnings)
+        if (test::head().shapes[s].name.starts_with(beginning)) weights.values[s] = strength;
+    prior = engine::Prior<model::TrackVideoResult>(std::make_shared<const model::TrackVideoResult>(
+        model::track_video(model, picture(weights), start, map, prior)));
+  }
+  const FaceFit& fit = prior->fit;
+  EXPECT_TRUE(fit.converged) << fit.problem;
+  test::Scene seen = scene;
+  for (std::size_t i = 0; i < 9; ++i) seen.world_from_head.rotation[i] = start.camera.cam_from_world[i];
+  return test::turn_error_deg(fit.camera, seen);
+}
+
+// With ten components 1.9 degrees, with lids compared 1.0.
+TEST(TrackVideo, DoesNotTakeRaisedBrowsForANod) { EXPECT_LT(turned_deg({"browInnerUp", "browOuterUp"}), 0.75); }
+
+// With ten components 0.5 degrees.
+TEST(TrackVideo, DoesNotNodWhenLidsShut) { EXPECT_LT(turned_deg({"eyeBlink"}), 0.4); }
 
 // Black frames in between: the place that a lost frame drifts to is no start for the next one.
 TEST(TrackVideo, GoesOnWhereItLastSawTheFace) {
