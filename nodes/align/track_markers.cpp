@@ -65,7 +65,11 @@ class Constellation {
   }
 
   const MarkerMatch& match(std::size_t i) const { return matches_[i]; }
-  bool is_found(std::size_t i) const { return matches_[i].likeness >= options_.least_likeness && is_inside(i); }
+  // One that was lost is believed only where it is sure: a square that is bent far is a little like any edge.
+  bool is_found(std::size_t i) const {
+    const double least = was_followed(i) ? options_.least_likeness : std::max(options_.least_likeness, sure_likeness);
+    return matches_[i].likeness >= least && is_inside(i);
+  }
   bool is_inside(std::size_t i) const { return fits(grey_, matches_[i].at.x, matches_[i].at.y, side_); }
   // Where a marker is that is not seen: as far from its start as those about it; its last place where none is followed.
   Place guess(std::size_t i) const {

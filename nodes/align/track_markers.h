@@ -31,14 +31,15 @@ struct TrackMarkersResult {
 // is over whole pixels, with exact sums; the place between pixels is found by Gauss-Newton steps on the same sum,
 // together with how the square is stretched and sheared by skin that turns, with which the next frame's search begins.
 // A marker whose template is unlike what is found (zero-mean normalised correlation below least_likeness), or that
-// leaves the picture, is lost: not valid, at a guess, as far from its start as those about it. A warning names one that
-// leaves the picture, in the frame in which it does. Painted dots look alike: a dot has one marker, the one that is
-// more like it. That and any other that is unlike its template, or is not where those about it say, is looked for in
-// twice the neighbourhood about where they say, beside the dots that are taken. Differs from the paper: light is taken
-// out, since the dark side of a head that turns was lost to brighter places; the neighbourhood goes along with the
-// marker, since a jaw falls farther from frame to frame than half of it; templates stay those of the first frame, so
-// that errors do not add up. start: the points on the first frame of the take. correction: points put right on this
-// frame, by name; the template is taken anew there. before: this node's result of the frame before.
+// leaves the picture, is lost: not valid, at a guess, as far from its start as those about it; it is believed again
+// where its likeness is 0.8. A warning names one that leaves the picture, in the frame in which it does. Painted dots
+// look alike: a dot has one marker, the one that is more like it. That and any other that is unlike its template, or is
+// not where those about it say, is looked for in twice the neighbourhood about where they say, beside the dots that are
+// taken. Differs from the paper: light is taken out, since the dark side of a head that turns was lost to brighter
+// places; the neighbourhood goes along with the marker, since a jaw falls farther from frame to frame than half of it;
+// templates stay those of the first frame, so that errors do not add up. start: the points on the first frame of the
+// take. correction: points put right on this frame, by name; the template is taken anew there. before: this node's
+// result of the frame before.
 TrackMarkersResult track_markers(const DepthScan& scan, const Landmarks& start, const Landmarks* correction,
                                  const engine::Prior<TrackMarkersResult>& before, const TrackMarkersOptions& options,
                                  engine::Progress& progress);

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::align;
 
-NODE("align.track_markers", &track_markers, version{5},
+NODE("align.track_markers", &track_markers, version{6},
      doc{"Follows painted markers through a take of scans by template matching, to a fraction of a pixel."},
      input{"scan", "The scan"}, input{"start", "The markers on the take's first scan"},
      input{"correction", "Markers put right on this scan"},

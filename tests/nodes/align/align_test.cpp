@@ -227,6 +227,22 @@ TEST(TrackMarkers, FollowsAJawThatFallsFartherThanTheSearchReaches) {
   }
 }
 
+// A bar is as like a dot as one that is followed may become, and one that was lost is not believed on it.
+TEST(TrackMarkers, DoesNotBelieveALostMarkerOnWhatIsALittleLikeIt) {
+  const auto bar = [](double, double y) { return 90 + 120 / (1 + std::exp(2 * (std::fabs(y - 44) - 3))); };
+  const Landmarks start{{{"jaw", 40, 44, true}}};
+  const TrackMarkersResult first = track_markers(dotted_scan({{40, 44}}), start, nullptr, {}, {}, quiet);
+  const auto next = [&](const TrackMarkersResult& result, const DepthScan& scan) {
+    const engine::Prior<TrackMarkersResult> before(std::make_shared<const TrackMarkersResult>(result));
+    return track_markers(scan, start, nullptr, before, {}, quiet);
+  };
+  EXPECT_EQ(next(first, drawn_scan(bar)).report, "");
+  const TrackMarkersResult hidden = next(first, dotted_scan({}));
+  EXPECT_EQ(hidden.report, "jaw");
+  EXPECT_EQ(next(hidden, drawn_scan(bar)).report, "jaw");
+  EXPECT_EQ(next(hidden, dotted_scan({{41, 44}})).report, "");
+}
+
 // On moving as it did the lip's marker would be where the chin's dot is now.
 TEST(TrackMarkers, FollowsAJawThatSnapsShut) {
   struct Spot {
