@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nodes/base/check.h"
 #include "nodes/types/arkit.h"
@@ -13,6 +14,10 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+// Where a lower lip has rolled in below the teeth, its inner edge is behind them, and what is seen between the lips
+// says little about it.
+constexpr double rolled_error_mm = 2, least_roll = 0.25;
 
 // Offsets of the landmarks' x and y by each shape that may be used; empty for the others.
 std::vector<std::vector<double>> shape_rows(const Rig& rig, const std::vector<LandmarkVertex>& places) {
@@ -42,23 +47,32 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-// What the weights of the shapes with rows are expected to be while each viseme is spoken: inverses of their
-// covariances about 0, in the order of `used`. Without visemes one, in which every weight is expected alike.
-std::vector<MatrixXd> expectations(const Rig& rig, const std::vector<std::vector<double>>& rows,
-                                   const std::vector<std::size_t>& used, const Visemes* visemes,
-                                   const MouthPrior& options) {
+// What the weights of the shapes with rows are expected to be while a viseme is spoken.
+struct Expectation {
+  MatrixXd inverse;  // of their covariance about 0, in the order of `used`
+  bool rolls_lip = false;
+};
+
+// Of each viseme; without visemes one, in which every weight is expected alike.
+std::vector<Expectation> expectations(const Rig& rig, const std::vector<std::vector<double>>& rows,
+                                      const std::vector<std::size_t>& used, const Visemes* visemes,
+                                      const MouthPrior& options) {
   const auto count = static_cast<Eigen::Index>(used.size());
   if (visemes == nullptr) {
     double mean = 0;
     for (const std::size_t s : used) mean += dot(rows[s], rows[s]) / static_cast<double>(used.size());
-    return {MatrixXd::Identity(count, count) * (options.restraint * mean)};
+    return {{MatrixXd::Identity(count, count) * (options.restraint * mean)}};
   }
   constexpr double unknown = 0.2;  // deviation of a shape that the table cannot know
   std::vector<std::size_t> arkit;
   for (const std::size_t s : used)
     arkit.push_back(static_cast<std::size_t>(std::find(arkit_names.begin(), arkit_names.end(), rig.shapes[s].name) -
                                              arkit_names.begin()));
-  std::vector<VectorXd> poses;
+  struct Pose {
+    VectorXd weights;
+    bool rolls_lip = false;
+  };
+  std::vector<Pose> poses;
   // Lips that must meet do so whatever the jaw does: ARKit's mouthClose shuts what jawOpen at the same weight opens. A
   // lower lip that must touch the teeth rolls in.
   const auto add = [&](const Viseme& viseme, const std::vector<float>& weights) {
@@ -72,7 +86,7 @@ std::vector<MatrixXd> expectations(const Rig& rig, const std::vector<std::vector
         pose[i] = static_cast<double>(weights[arkit_index("jawOpen")]);
       if (viseme.contact == "teeth" && k == arkit_index("mouthRollLower")) pose[i] = 1;
     }
-    poses.push_back(pose);
+    poses.push_back({pose, viseme.contact == "teeth"});
   };
   for (const Viseme& viseme : visemes->visemes) {
     add(viseme, viseme.weights);
@@ -81,16 +95,18 @@ std::vector<MatrixXd> expectations(const Rig& rig, const std::vector<std::vector
   // What all have in common, as if one Gaussian described speech, lets a mouth be on its way between two of them.
   const double scale = options.variety * options.variety;
   MatrixXd common = MatrixXd::Zero(count, count);
-  for (const VectorXd& pose : poses) common += scale / static_cast<double>(poses.size()) * pose * pose.transpose();
-  if (poses.empty() || options.common_share >= 1) poses.assign(1, VectorXd::Zero(count));
-  std::vector<MatrixXd> found;
-  for (const VectorXd& pose : poses) {
-    MatrixXd covariance = options.common_share * common + (1 - options.common_share) * scale * pose * pose.transpose();
+  for (const Pose& pose : poses)
+    common += scale / static_cast<double>(poses.size()) * pose.weights * pose.weights.transpose();
+  if (poses.empty() || options.common_share >= 1) poses.assign(1, {VectorXd::Zero(count)});
+  std::vector<Expectation> found;
+  for (const Pose& pose : poses) {
+    MatrixXd covariance =
+        options.common_share * common + (1 - options.common_share) * scale * pose.weights * pose.weights.transpose();
     for (Eigen::Index i = 0; i < count; ++i) {
       const bool known = arkit[static_cast<std::size_t>(i)] < arkit_names.size();
       covariance(i, i) += std::pow(known ? options.own_deviation : unknown, 2);
     }
-    found.emplace_back(options.landmark_error_mm * options.landmark_error_mm * covariance.inverse());
+    found.push_back({options.landmark_error_mm * options.landmark_error_mm * covariance.inverse(), pose.rolls_lip});
   }
   return found;
 }
@@ -113,6 +129,39 @@ VectorXd least_in_box(const MatrixXd& hessian, VectorXd slope, const std::vector
     }
   }
   return weights;
+}
+
+// What is seen of the landmarks, each by how much it counts.
+struct Evidence {
+  MatrixXd hessian;
+  VectorXd slope;
+  double log_likely = 0;  // of weights 0
+};
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// gap_weight: of the square of how far a pair is apart, lower_weight: of the y of its lower one, where a coordinate's
+// counts as 1.
+Evidence weigh(const MatrixXd& basis, const VectorXd& wanted, const Pairs& gaps, const std::vector<bool>& seen,
+               double gap_weight, double lower_weight, double error_mm) {
+  const Eigen::Index count = basis.cols();
+  MatrixXd counted(basis.rows(), count + 1);
+  counted << basis, wanted;
+  Evidence evidence;
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    if (!seen[k]) counted.middleRows(static_cast<Eigen::Index>(2 * k), 2).setZero();
+  for (const auto& [above, below] : gaps) {
+    if (!seen.empty() && !(seen[above] && seen[below])) continue;
+    const auto upper = static_cast<Eigen::Index>(2 * above + 1), lower = static_cast<Eigen::Index>(2 * below + 1);
+    const Eigen::RowVectorXd parted = gap_weight * (counted.row(upper) - counted.row(lower));
+    counted.row(upper) += parted;
+    counted.row(lower) = lower_weight * counted.row(lower) - parted;
+    evidence.log_likely += std::log(lower_weight + gap_weight * (1 + lower_weight)) / 2;
+  }
+  evidence.hessian = basis.transpose() * counted.leftCols(count);
+  evidence.slope = basis.transpose() * counted.col(count);
+  evidence.log_likely -= wanted.dot(counted.col(count)) / (2 * error_mm * error_mm);
+  return evidence;
 }
 
 double log_determinant(const Eigen::LLT<MatrixXd>& factor) {
@@ -142,8 +191,11 @@ MouthFit::MouthFit(const Rig& rig, const std::vector<LandmarkVertex>& places, co
   }
   gap_weight_ = std::pow(prior.landmark_error_mm / prior.gap_error_mm, 2);
   error_mm_ = visemes ? prior.landmark_error_mm : 1;
-  for (const MatrixXd& expected : expectations(rig, rows_, used_, visemes, prior))
-    expected_.emplace_back(expected.data(), expected.data() + expected.size());
+  while (roll_ < used_.size() && rig.shapes[used_[roll_]].name != "mouthRollLower") ++roll_;
+  for (const Expectation& expected : expectations(rig, rows_, used_, visemes, prior))
+    expected_.push_back({{expected.inverse.data(), expected.inverse.data() + expected.inverse.size()},
+                         expected.rolls_lip && roll_ < used_.size()});
+  rolled_weight_ = std::pow(prior.landmark_error_mm / rolled_error_mm, 2);
 }
 
 std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::vector<double>& least,
@@ -152,39 +204,43 @@ std::vector<double> MouthFit::weights(std::vector<double>& wanted, const std::ve
   MatrixXd basis(numbers, count);
   for (Eigen::Index i = 0; i < count; ++i)
     basis.col(i) = Eigen::Map<const VectorXd>(rows_[used_[static_cast<std::size_t>(i)]].data(), numbers);
-  MatrixXd counted = basis;
-  for (std::size_t k = 0; k < seen.size(); ++k)
-    if (!seen[k]) counted.middleRows(static_cast<Eigen::Index>(2 * k), 2).setZero();
-  for (const auto& [above, below] : gaps_) {
-    if (!seen.empty() && !(seen[above] && seen[below])) continue;
-    const auto upper = static_cast<Eigen::Index>(2 * above + 1), lower = static_cast<Eigen::Index>(2 * below + 1);
-    const Eigen::RowVectorXd parted = gap_weight_ * (basis.row(upper) - basis.row(lower));
-    counted.row(upper) += parted;
-    counted.row(lower) -= parted;
-  }
   Eigen::Map<VectorXd> left(wanted.data(), numbers);
-  const MatrixXd seen_of = counted.transpose() * basis;
-  const VectorXd slope = counted.transpose() * left;
+  const Evidence plain = weigh(basis, left, gaps_, seen, gap_weight_, 1, error_mm_);
+  const Evidence rolled = weigh(basis, left, gaps_, seen, 0, rolled_weight_, error_mm_);
   std::vector<double> low(used_.size(), 0.0);
   for (std::size_t i = 0; i < low.size() && !least.empty(); ++i) low[i] = least[used_[i]];
   // How well each viseme explains what is seen.
-  std::vector<MatrixXd> hessians;
-  std::vector<double> likely;
-  for (const std::vector<double>& inverse : expected_) {
-    const Eigen::Map<const MatrixXd> expected(inverse.data(), count, count);
-    hessians.emplace_back(expected + seen_of);
-    const Eigen::LLT<MatrixXd> factor(hessians.back());
-    const double explained = slope.dot(factor.solve(slope)) / (error_mm_ * error_mm_);
-    likely.push_back((explained - log_determinant(factor) + log_determinant(Eigen::LLT<MatrixXd>(expected))) / 2);
+  struct Explanation {
+    MatrixXd hessian;
+    VectorXd slope, solved;
+    double log_likely = 0;
+  };
+  const auto explain = [&](const MatrixXd& inverse, const Evidence& evidence) {
+    Explanation found{inverse + evidence.hessian, evidence.slope, {}, evidence.log_likely};
+    const Eigen::LLT<MatrixXd> factor(found.hessian);
+    found.solved = factor.solve(evidence.slope);
+    found.log_likely += (evidence.slope.dot(found.solved) / (error_mm_ * error_mm_) - log_determinant(factor) +
+                         log_determinant(Eigen::LLT<MatrixXd>(inverse))) /
+                        2;
+    return found;
+  };
+  std::vector<Explanation> explanations;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Expected& expected : expected_) {
+    const Eigen::Map<const MatrixXd> inverse(expected.inverse.data(), count, count);
+    Explanation found = explain(inverse, expected.rolls_lip ? rolled : plain);
+    if (expected.rolls_lip && found.solved[static_cast<Eigen::Index>(roll_)] < least_roll)
+      found = explain(inverse, plain);
+    most = std::max(most, found.log_likely);
+    explanations.push_back(std::move(found));
   }
-  const double most = *std::max_element(likely.begin(), likely.end());
   constexpr double least_share = 1e-3;  // of the likeliest
   VectorXd weights = VectorXd::Zero(count);
   double sum = 0;
-  for (std::size_t i = 0; i < likely.size(); ++i) {
-    const double share = std::exp(likely[i] - most);
+  for (const Explanation& found : explanations) {
+    const double share = std::exp(found.log_likely - most);
     if (share < least_share) continue;
-    weights += share * least_in_box(hessians[i], slope, low);
+    weights += share * least_in_box(found.hessian, found.slope, low);
     sum += share;
   }
   weights /= sum;

@@ -35,9 +35,10 @@ class MouthFit {
   // (least squares with the prior, coordinate by coordinate; Hildreth, A Quadratic Programming Procedure, 1957). What
   // is left of `wanted` stays in it. seen: landmarks that count, empty = all. How far inner lips are apart (points 61
   // to 63 of Multi-PIE above 67 to 65) counts beside their places: what is wrong with the head's pose is wrong with
-  // both. With visemes the result is the mean over them, each as likely as it explains the landmarks (a mixture of
-  // Gaussians; Bishop, Pattern Recognition and Machine Learning, 2006, section 2.3.9; the range of the weights is left
-  // out of how likely a viseme is, and those below a thousandth out of the mean).
+  // both; but not for a viseme whose lower lip touches the teeth and has rolled in (F, V). With visemes the result is
+  // the mean over them, each as likely as it explains the landmarks (a mixture of Gaussians; Bishop, Pattern
+  // Recognition and Machine Learning, 2006, section 2.3.9; the range of the weights is left out of how likely a viseme
+  // is, and those below a thousandth out of the mean).
   std::vector<double> weights(std::vector<double>& wanted, const std::vector<double>& least = {},
                               const std::vector<bool>& seen = {}) const;
 
@@ -47,9 +48,14 @@ class MouthFit {
   std::vector<std::pair<std::size_t, std::size_t>> gaps_;  // places of inner lips, upper and lower
   double gap_weight_ = 0;                                  // of a gap's square, where a coordinate's counts as 1
   double error_mm_ = 0;
-  // Of each viseme, used x used: inverse covariance of the weights in squares of the landmarks' error; without visemes
-  // one.
-  std::vector<std::vector<double>> expected_;
+  double rolled_weight_ = 0;  // of the y of a lower inner lip that has rolled in
+  std::size_t roll_ = 0;      // place of mouthRollLower in used_, or how many these are
+  // Of each viseme; without visemes one.
+  struct Expected {
+    std::vector<double> inverse;  // used x used: covariance of the weights in squares of the landmarks' error, inverse
+    bool rolls_lip = false;       // below the teeth
+  };
+  std::vector<Expected> expected_;
 };
 
 }  // namespace face::meshik

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.raise_jaw", &raise_jaw, version{4},
+NODE("meshik.raise_jaw", &raise_jaw, version{5},
      doc{"Landmarks of a mouth at rest, from those of a mouth that is shut over a hanging jaw, as in the middle of "
          "speech."},
      input{"rig", "The head"},

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.sculpt_keys", &sculpt_keys, version{6},
+NODE("meshik.sculpt_keys", &sculpt_keys, version{7},
      doc{"Makes a mesh for every key shape of a speaker from a rig, without an artist."}, input{"rig", "The head"},
      input{"key_shapes", "The speaker's key shapes"}, input{"neutral", "The speaker's landmarks at rest"},
      input{"visemes", "Which weights go together in speech; without it every shape is as likely as another"},

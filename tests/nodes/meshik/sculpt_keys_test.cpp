@@ -140,6 +140,23 @@ TEST(SculptKeys, TakesTheVisemeThatExplainsTheLandmarksAndRollsInALipThatTouches
   EXPECT_GT(sculpt(rig, keys, rest, one, &table).weights[0].values[4], 0.2);
 }
 
+TEST(SculptKeys, DoesNotTakeTheEdgeThatIsSeenOfARolledLipForTheOneThatRolledIn) {
+  Rig rig = speaking_rig();
+  const Shape roll{"mouthRollLower", {56, 57, 58, 66}, {{0, 6, -5}, {0, 6, -5}, {0, 6, -5}, {0, -4, -6}}};
+  rig.shapes.push_back(roll);
+  Visemes table;
+  table.visemes = {viseme(0.4f, 0), viseme(0.05f, 0)};
+  table.visemes.back().contact = "teeth";
+  Landmarks rest = seen(rig, 0, 0);
+  rest.points.push_back({"inner_lip_2", 180, 200, true});
+  rest.points.push_back({"inner_lip_6", 180, 200, true});
+  Landmarks teeth = rest;  // what is seen of the inner edge stays where it is
+  for (Landmark& point : teeth.points)
+    if (point.name == "lip_8" || point.name == "lip_9" || point.name == "lip_10") point.y_px -= 0.9 * 6 / 0.5;
+  const KeyShapes keys{{{"1", 1, teeth}}};
+  EXPECT_NEAR(sculpt(rig, keys, rest, {}, &table).weights[0].values[3], 0.9, 0.06);
+}
+
 TEST(SculptKeys, UsesNoShapeThatMovesNoLandmark) {
   const Rig rig = speaking_rig();
   const Visemes table{{viseme(0.4f, 0.4f)}};
