@@ -79,6 +79,7 @@ void FitLandmarks(benchmark::State& state) {
 BENCHMARK(FitLandmarks)->Unit(benchmark::kMillisecond);
 
 void FitImage(benchmark::State& state) {
+  world();
   FaceFit fit;
   for (auto _ : state) fit = model::fit_image(world().model, world().picture, world().points);
   double trace = 0;
