@@ -22,7 +22,7 @@ std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& l
   std::vector<LandmarkVertex> found;
   for (std::size_t i = 0; i < landmarks.points.size(); ++i) {
     const int at = place(landmarks.points[i].name);
-    if (at >= 0) found.push_back({i, rig.landmarks68[static_cast<std::size_t>(at)], at == 30 || at == 39 || at == 42});
+    if (at >= 0) found.push_back({i, rig.landmarks68[static_cast<std::size_t>(at)], at, at == 30 || at == 39 || at == 42});
   }
   check(!found.empty(),
         "no landmark is called lip_0 to lip_11, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l or nose_tip");

@@ -12,6 +12,7 @@ namespace face::meshik {
 struct LandmarkVertex {
   std::size_t landmark = 0;  // index into the landmarks
   std::uint32_t vertex = 0;
+  int number = 0;  // of Multi-PIE's 68
   bool rigid = false;  // moves with the skull alone
 };
 

@@ -5,6 +5,6 @@
 using namespace engine::declare;
 using namespace face::mmm;
 
-NODE("mmm.example_meshes", &example_meshes, version{1}, doc{"Example poses for MeshIK from a rig's own shapes."},
+NODE("mmm.example_meshes", &example_meshes, version{2}, doc{"Example poses for MeshIK from a rig's own shapes."},
      input{"rig", "The head"}, param("shapes", &ExampleMeshesOptions::shapes, "Names of the shapes, one mesh each"),
      output("reference", "The head at rest"), output("examples", "The head in every pose"));

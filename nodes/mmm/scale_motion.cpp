@@ -17,8 +17,7 @@ namespace {
 enum Part { left_eye, right_eye, mouth, whole, part_count };
 
 struct Pair {
-  std::uint32_t vertex;
-  bool rigid;
+  meshik::LandmarkVertex place;
   Part part;
   std::complex<double> before, now;  // px, y down
 };
@@ -34,13 +33,6 @@ struct Box {
   double height() const { return bottom - top; }
 };
 
-// Number of a Multi-PIE point, -1 where the name is not two digits below 68.
-int number_of(const std::string& name) {
-  if (name.size() != 2 || name[0] < '0' || name[0] > '9' || name[1] < '0' || name[1] > '9') return -1;
-  const int number = 10 * (name[0] - '0') + name[1] - '0';
-  return number < 68 ? number : -1;
-}
-
 Part part_of(int number) {
   if (number >= 36 && number <= 41) return right_eye;
   if (number >= 42 && number <= 47) return left_eye;
@@ -51,26 +43,15 @@ std::vector<Pair> match(const Rig& rig, const Landmarks& reference, const Landma
   std::map<std::string, const Landmark*> now;
   for (const Landmark& point : landmarks.points) now[point.name] = &point;
   std::vector<Pair> pairs;
-  const auto add = [&](const Landmark& before, std::uint32_t vertex, bool rigid, Part part) {
+  for (const meshik::LandmarkVertex& place : meshik::landmark_vertices(rig, reference)) {
+    const Landmark& before = reference.points[place.landmark];
     const auto found = now.find(before.name);
-    if (!before.valid || found == now.end() || !found->second->valid) return;
-    check(vertex < rig.neutral.points_mm.size(), "landmark ", before.name, " is vertex ", vertex, ", the rig has ",
-          rig.neutral.points_mm.size());
-    pairs.push_back({vertex, rigid, part, {before.x_px, before.y_px}, {found->second->x_px, found->second->y_px}});
-  };
-  bool numbered = false;
-  for (const Landmark& point : reference.points) numbered = numbered || number_of(point.name) >= 0;
-  if (!numbered) {
-    for (const meshik::LandmarkVertex& found : meshik::landmark_vertices(rig, reference)) {
-      const Landmark& point = reference.points[found.landmark];
-      add(point, found.vertex, found.rigid, point.name.rfind("lip_", 0) == 0 ? mouth : whole);
-    }
-    return pairs;
+    if (!before.valid || found == now.end() || !found->second->valid) continue;
+    check(place.vertex < rig.neutral.points_mm.size(), "landmark ", before.name, " is vertex ", place.vertex,
+          ", the rig has ", rig.neutral.points_mm.size());
+    pairs.push_back(
+        {place, part_of(place.number), {before.x_px, before.y_px}, {found->second->x_px, found->second->y_px}});
   }
-  check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(), " landmarks, expected 68");
-  for (const Landmark& point : reference.points)
-    if (const int i = number_of(point.name); i >= 0)
-      add(point, rig.landmarks68[static_cast<std::size_t>(i)], i == 39 || i == 42 || i == 30, part_of(i));
   return pairs;
 }
 
@@ -79,11 +60,11 @@ void hold(std::vector<Pair>& pairs) {
   std::complex<double> mean_now = 0, mean_before = 0, product = 0;
   double count = 0, square = 0;
   for (const Pair& p : pairs)
-    if (p.rigid) mean_now += p.now, mean_before += p.before, ++count;
+    if (p.place.rigid) mean_now += p.now, mean_before += p.before, ++count;
   if (count < 2) return;
   mean_now /= count, mean_before /= count;
   for (const Pair& p : pairs)
-    if (p.rigid)
+    if (p.place.rigid)
       product += std::conj(p.now - mean_now) * (p.before - mean_before), square += std::norm(p.now - mean_now);
   if (!(square > 0)) return;
   for (Pair& p : pairs) p.now = product / square * (p.now - mean_now) + mean_before;
@@ -97,7 +78,7 @@ VertexTargets scale_motion(const Rig& rig, const Landmarks& reference, const Lan
   if (options.hold_head) hold(pairs);
   std::array<Box, part_count> seen, built;
   for (const Pair& p : pairs) {
-    const Vec3f& v = rig.neutral.points_mm[p.vertex];
+    const Vec3f& v = rig.neutral.points_mm[p.place.vertex];
     for (const Part part : {p.part, whole}) {
       seen[part].add(p.before.real(), p.before.imag());
       built[part].add(static_cast<double>(v[0]), static_cast<double>(v[1]));
@@ -122,10 +103,10 @@ VertexTargets scale_motion(const Rig& rig, const Landmarks& reference, const Lan
     const Part part = own ? p.part : whole;
     const double scale_x = built[part].width() / seen[part].width();
     const double scale_y = built[part].height() / seen[part].height();
-    const Vec3f& v = rig.neutral.points_mm[p.vertex];
+    const Vec3f& v = rig.neutral.points_mm[p.place.vertex];
     const std::complex<double> d = p.now - p.before;
-    targets[p.vertex] = {p.vertex, static_cast<double>(v[0]) + scale_x * d.real(),
-                         static_cast<double>(v[1]) - scale_y * d.imag(), 0, false};
+    targets[p.place.vertex] = {p.place.vertex, static_cast<double>(v[0]) + scale_x * d.real(),
+                               static_cast<double>(v[1]) - scale_y * d.imag(), 0, false};
   }
   for (const auto& [vertex, target] : targets) result.targets.push_back(target);
   return result;

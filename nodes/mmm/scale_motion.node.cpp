@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::mmm;
 
-NODE("mmm.scale_motion", &scale_motion, version{2},
+NODE("mmm.scale_motion", &scale_motion, version{3},
      doc{"Where a mesh's vertices have to be when points of a face in a video have moved: the motion, scaled by the "
          "boxes of eyes, mouth and face."},
      input{"rig", "The head"}, input{"reference", "The points on a frame that looks like the head at rest"},

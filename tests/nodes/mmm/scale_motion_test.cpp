@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "nodes/mmm/example_meshes.h"
-#include "nodes/mmm/posed_rig.h"
 #include "tests/support/expect_throw_text.h"
 
 namespace face::mmm {
@@ -73,6 +72,18 @@ TEST(ScaleMotion, TakesTheHeadsMotionOut) {
   EXPECT_GT(std::abs(scale_motion(rig(), points(), moved, nullptr, {false}).targets[0].x_mm - rest.targets[0].x_mm), 1);
 }
 
+TEST(ScaleMotion, InnerLipsOfAClipAreScaledAsTheOuterOnes) {
+  Rig wide = rig();
+  for (std::size_t i = 48; i < 68; ++i) wide.neutral.points_mm[i][0] *= 2;
+  Landmarks clip = points();
+  for (const auto& [from, name] : {std::pair{54, "lip_6"}, {57, "lip_9"}, {60, "inner_lip_0"}, {64, "inner_lip_4"}})
+    clip.points[static_cast<std::size_t>(from)].name = name;
+  Landmarks moved = clip;
+  moved.points[60].x_px += 1;
+  const VertexTargets targets = scale_motion(wide, clip, moved, nullptr);
+  EXPECT_NEAR(targets.targets[60].x_mm - static_cast<double>(wide.neutral.points_mm[60][0]), 4, 1e-4);
+}
+
 TEST(ScaleMotion, ABoxOfTooFewPointsUsesTheWholeFaces) {
   Landmarks few = points();
   few.points.erase(few.points.begin() + 50, few.points.end());
@@ -118,15 +129,16 @@ TEST(ExampleMeshes, ArePosesOfTheRig) {
   ASSERT_EQ(examples.size(), 1u);
   EXPECT_FLOAT_EQ(examples[0].points_mm[3][1], reference.points_mm[3][1] - 9);
   EXPECT_EQ(examples[0].points_mm[4], reference.points_mm[4]);
-  EXPECT_THROW_TEXT(example_meshes(rig(), writer, {{"mouthLeft"}}),
-                    "the rig has no shape \"mouthLeft\" that moves a vertex");
 }
 
-TEST(PosedRig, HasTheFramesVertices) {
-  MeshPoints points{rig().neutral.points_mm};
-  points.points_mm[1] = {1, 2, 3};
-  EXPECT_EQ(posed_rig(rig(), points).neutral.points_mm[1], (Vec3f{1, 2, 3}));
-  EXPECT_THROW_TEXT(posed_rig(rig(), MeshPoints{}), "there are 0 points, the rig has 68 vertices");
+TEST(ExampleMeshes, LeaveOutWhatTheRigCannotDo) {
+  std::vector<std::string> ids;
+  engine::SeqWriter<Mesh> writer([&](std::string id, Mesh) { ids.push_back(id); });
+  example_meshes(rig(), writer, {{"mouthLeft", "mouthClose", "jawOpen"}});
+  EXPECT_EQ(ids, std::vector<std::string>{"jawOpen"});
+  EXPECT_THROW_TEXT(example_meshes(rig(), writer, {{"mouthLeft"}}),
+                    "no shape of the 1 that are asked for moves a vertex of the rig");
+  EXPECT_THROW_TEXT(example_meshes(rig(), writer, {{"jawopen"}}), "the rig has no shape \"jawopen\"");
 }
 
 }  // namespace
