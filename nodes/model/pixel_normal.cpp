@@ -4,14 +4,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "nodes/model/robust_weights.h"
-
 namespace face::model {
 
-PixelNormal pixel_normal(const PixelRows& rows) {
+PixelNormal pixel_normal(const PixelRows& rows, double kernel) {
   using RowMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   PixelNormal normal;
-  const std::vector<float> weights = robust_weights(rows.residual, normal.median);
+  const std::vector<float> weights = robust_weights(rows.residual, kernel, normal.median);
   normal.noise = std::max(least_noise, normal.median);
   const auto n = static_cast<Eigen::Index>(rows.residual.size()), width = static_cast<Eigen::Index>(rows.columns);
   RowMatrixF j = Eigen::Map<const RowMatrixF>(rows.jacobian.data(), n, width);

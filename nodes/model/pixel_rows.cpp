@@ -27,21 +27,6 @@ constexpr double least_facing = 0.12;  // cosine of normal and line of sight bel
 constexpr double least_reflectance = 1e-4;
 constexpr double end_of_scale = 0.985, all_but_black = 0.03;
 
-std::array<float, 9> sample(const PictureLevel& level, double x, double y) {
-  x = std::clamp(x, 0.0, level.width - 1.001);
-  y = std::clamp(y, 0.0, level.height - 1.001);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-  const std::array<float, 9>* row = level.samples.data() +
-                                    static_cast<std::size_t>(y0) * static_cast<std::size_t>(level.width) +
-                                    static_cast<std::size_t>(x0);
-  const std::array<float, 9>* below = row + level.width;
-  std::array<float, 9> result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result[i] = (1 - fy) * ((1 - fx) * row[0][i] + fx * row[1][i]) + fy * ((1 - fx) * below[0][i] + fx * below[1][i]);
-  return result;
-}
-
 // Two unit vectors that make a right-handed frame with d.
 std::array<Vec3, 2> tangents(const Vec3& d) {
   const Vec3 helper = std::abs(d.y()) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
@@ -82,6 +67,20 @@ PictureLevel make_level(const Image& picture, double factor, double exposure) {
   return level;
 }
 
+std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px) {
+  const double x = std::clamp(x_px, 0.0, level.width - 1.001), y = std::clamp(y_px, 0.0, level.height - 1.001);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  const std::array<float, 9>* row = level.samples.data() +
+                                    static_cast<std::size_t>(y0) * static_cast<std::size_t>(level.width) +
+                                    static_cast<std::size_t>(x0);
+  const std::array<float, 9>* below = row + level.width;
+  std::array<float, 9> result;
+  for (std::size_t i = 0; i < 9; ++i)
+    result[i] = (1 - fy) * ((1 - fx) * row[0][i] + fx * row[1][i]) + fy * ((1 - fx) * below[0][i] + fx * below[1][i]);
+  return result;
+}
+
 std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera) {
   const auto [x, y, z] = normal_in_camera;
   return {1, x, y, z, x * y, x * z, y * z, x * x - y * y, 3 * z * z - 1};
@@ -103,14 +102,26 @@ FaceLight moved(const FaceLight& light, const double* step) {
   return result;
 }
 
+DrawnSkin draw_skin(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
+                    const PictureLevel& level) {
+  DrawnSkin drawn;
+  drawn.screen = render::project(camera_of(scaled(pose, level.factor)), posed_mm);
+  render::RasterOptions options;
+  options.width_px = level.width;
+  options.height_px = level.height;
+  drawn.raster = render::rasterize(drawn.screen, basis.triangles, options);
+  return drawn;
+}
+
 std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
                                      const PictureLevel& level, std::size_t points, Random& random,
                                      std::size_t& visible) {
-  const std::vector<render::ScreenPoint> screen = render::project(camera_of(scaled(pose, level.factor)), posed_mm);
-  render::RasterOptions raster_options;
-  raster_options.width_px = level.width;
-  raster_options.height_px = level.height;
-  const render::Raster raster = render::rasterize(screen, basis.triangles, raster_options);
+  return choose_points(basis, draw_skin(basis, posed_mm, pose, level), points, random, visible);
+}
+
+std::vector<SkinPoint> choose_points(const SkinBasis& basis, const DrawnSkin& drawn, std::size_t points, Random& random,
+                                     std::size_t& visible) {
+  const render::Raster& raster = drawn.raster;
   std::vector<std::uint32_t> seen;
   for (std::uint32_t i = 0; i < raster.triangles.size(); ++i)
     if (raster.triangles[i] >= 0) seen.push_back(i);
@@ -120,10 +131,10 @@ std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<V
     // A partial shuffle (Durstenfeld, Algorithm 235: Random Permutation, 1964).
     const std::size_t pick = n + static_cast<std::size_t>(random.uniform() * static_cast<double>(seen.size() - n));
     std::swap(seen[n], seen[pick]);
+    const auto width = static_cast<std::uint32_t>(raster.width_px);
     chosen[n].triangle = static_cast<std::uint32_t>(raster.triangles[seen[n]]);
-    const auto width = static_cast<std::uint32_t>(level.width);
     chosen[n].weights =
-        render::barycentrics_at(screen, basis.triangles[chosen[n].triangle], static_cast<float>(seen[n] % width),
+        render::barycentrics_at(drawn.screen, basis.triangles[chosen[n].triangle], static_cast<float>(seen[n] % width),
                                 static_cast<float>(seen[n] / width));
   }
   return chosen;
@@ -180,13 +191,14 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       normal += bary[i] * vec(normals[triangle[i]]);
       reflectance += bary[i] * vec(albedo[triangle[i]]);
     }
+    if (skin_point.albedo) reflectance = vec(*skin_point.albedo);
     normal.normalize();
     const Vec3 to_eye = (eye - point).normalized();
     if (normal.dot(to_eye) < least_facing) continue;
     reflectance = reflectance.cwiseMax(least_reflectance);
     const PoseView at =
         view(pose, {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
-    const std::array<float, 9> picture = sample(level, at.x_px, at.y_px);
+    const std::array<float, 9> picture = sample_at(level, at.x_px, at.y_px);
     const float brightest = std::max({picture[0], picture[1], picture[2]});
     if (brightest > end_of_scale) ++overexposed;
     if (brightest < all_but_black) ++dark;

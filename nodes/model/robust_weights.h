@@ -11,16 +11,18 @@ namespace face::model {
 
 inline constexpr double least_noise = 0.02;  // of a pixel, as a share of the scale: no model is better
 
+inline constexpr double usual_kernel = 2.5;  // width of the kernel below, over the noise
+
 // Root weights of pixel residuals (three per point), one per point: Geman and McClure's kernel at the noise of this
 // very set, the median length of a residual, or least_noise where that is more. median: that length.
-inline std::vector<float> robust_weights(const std::vector<float>& residual, double& median) {
+inline std::vector<float> robust_weights(const std::vector<float>& residual, double kernel, double& median) {
   std::vector<float> lengths(residual.size() / 3);
   for (std::size_t i = 0; i < lengths.size(); ++i)
     lengths[i] = std::sqrt((residual[3 * i] * residual[3 * i] + residual[3 * i + 1] * residual[3 * i + 1] +
                             residual[3 * i + 2] * residual[3 * i + 2]) /
                            3.0f);
   median = static_cast<double>(face::median(lengths));
-  const auto scale = static_cast<float>(2.5 * std::max(least_noise, median));
+  const auto scale = static_cast<float>(kernel * std::max(least_noise, median));
   for (float& length : lengths) {
     const float u = length / scale;
     length = 1.0f / (1.0f + u * u);

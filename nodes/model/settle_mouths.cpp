@@ -13,6 +13,7 @@ namespace {
 constexpr double narrow_gap_mm = 4;     // up to which an open mouth is doubted
 constexpr double line_mm = 1.5;         // up to which nothing is seen between lips but the dark line where they meet
 constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
+constexpr double line_excess = 1.1;     // the same where the open one is no more than that line
 // Photographs of closed mouths come out at 0.10 to 0.45, of open ones at 0.58 and more.
 constexpr double lips_seen = 0.5;               // mouth_cost up to which what is between the lips is lips
 constexpr double tried_gaps_mm[] = {4, 8, 12};  // of a closed mouth that is tried open
@@ -34,10 +35,10 @@ void close_mouths(const std::vector<PictureLevel>& levels, const std::function<v
   if (!any) return;
   run_steps(closed);
   for (std::size_t m = 0; m < joint.pictures.size(); ++m)
-    if (closed.pictures[m].closed &&
-        (image_cost(closed, m, levels[m]) > closed_excess * image_cost(joint, m, levels[m]) ||
-         (!is_line[m] && mouth_cost(joint, closed, m, levels[m]) > lips_seen) ||
-         point_cost(closed, m) > point_cost(joint, m) + points_allow()))
+    if (closed.pictures[m].closed && (image_cost(closed, m, levels[m]) > (is_line[m] ? line_excess : closed_excess) *
+                                                                             image_cost(joint, m, levels[m]) ||
+                                      (!is_line[m] && mouth_cost(joint, closed, m, levels[m]) > lips_seen) ||
+                                      point_cost(closed, m) > point_cost(joint, m) + points_allow()))
       return;
   joint = std::move(closed);
 }

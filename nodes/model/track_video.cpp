@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/model/likeness.h"
@@ -14,6 +16,7 @@
 #include "nodes/model/pose_model.h"
 #include "nodes/model/robust_weights.h"
 #include "nodes/model/skin_atlas.h"
+#include "nodes/model/start_view.h"
 
 namespace face::model {
 namespace {
@@ -34,6 +37,9 @@ constexpr double scale_sigma = 0.05, overlap_sigma_mm = 0.3;
 // Lids that shut bring skin to light which the first frame did not show, and turned the head by up to 1.6 degrees: what
 // lies within an ellipse about the corners of an eye is not compared.
 constexpr double eye_width = 1.4, eye_height_share = 0.8;  // of the distance of the corners; of the width
+
+// Where colours are as fine as the picture, what is far off by them is highlight or shadow.
+constexpr double fine_kernel = 1.25;
 
 // The map's colour at every vertex of the basis.
 std::vector<Vec3f> vertex_colours(const MorphableModel& model, const SkinBasis& basis, const AlbedoMap& map) {
@@ -81,14 +87,26 @@ struct Tracked {
   std::vector<std::vector<double>> gaps;
 };
 
-void step(const Tracked& tracked, const PictureLevel& level, double eyes_px, Random& random, PictureState& state,
+// A size of the frame, and of the start's picture where there is one.
+struct Sizes {
+  PictureLevel frame;
+  std::optional<StartView> start;
+};
+
+void step(const Tracked& tracked, const Sizes& sizes, double eyes_px, Random& random, PictureState& state,
           std::array<double, FacePose::size>& moved_so_far) {
+  const PictureLevel& level = sizes.frame;
   const std::size_t expressions = tracked.basis.expressions;
   const PixelColumns columns{0, 0, expressions, false, true};
-  const PixelRows rows = pixel_rows(tracked.basis, tracked.identity, tracked.colours, state, level, columns,
-                                    static_cast<std::size_t>(tracked.options->points), random);
+  const std::vector<Vec3f> posed_mm = posed_skin(tracked.basis, tracked.identity, state.expression);
+  const DrawnSkin drawn = draw_skin(tracked.basis, posed_mm, state.pose, level);
+  std::size_t visible = 0;
+  std::vector<SkinPoint> points =
+      choose_points(tracked.basis, drawn, static_cast<std::size_t>(tracked.options->points), random, visible);
+  if (sizes.start) colour_points(*sizes.start, tracked.basis, points);
+  const PixelRows rows = rows_at(points, tracked.basis, posed_mm, tracked.colours, state, level, columns);
   if (rows.residual.size() < 30) return;
-  const PixelNormal pixels = pixel_normal(rows);
+  const PixelNormal pixels = pixel_normal(rows, sizes.start ? fine_kernel : usual_kernel);
   const double weight = tracked.options->image_weight / pixels.points / (pixels.noise * pixels.noise);
   const auto width = static_cast<Eigen::Index>(rows.columns);
   Eigen::MatrixXd a = weight * Eigen::Map<const Eigen::MatrixXd>(pixels.a.data(), width, width);
@@ -135,10 +153,13 @@ void step(const Tracked& tracked, const PictureLevel& level, double eyes_px, Ran
 }  // namespace
 
 TrackVideoResult track_video(const MorphableModel& model, const Image& frame, const FaceFit& start,
-                             const AlbedoMap& albedo, const engine::Prior<TrackVideoResult>& prior,
-                             const TrackVideoOptions& options) {
+                             const AlbedoMap& albedo, const Image* picture,
+                             const engine::Prior<TrackVideoResult>& prior, const TrackVideoOptions& options) {
   check(frame.width == start.image_width_px && frame.height == start.image_height_px, "the frame is ", frame.width,
         " x ", frame.height, " pixels, the start was fitted on ", start.image_width_px, " x ", start.image_height_px);
+  check(picture == nullptr || (picture->width == frame.width && picture->height == frame.height), "the picture is ",
+        picture != nullptr ? picture->width : 0, " x ", picture != nullptr ? picture->height : 0,
+        " pixels, the start was fitted on ", start.image_width_px, " x ", start.image_height_px);
   const FaceFit& before = prior ? prior->fit : start;
   TrackVideoResult result;
   result.fit = before;
@@ -167,16 +188,26 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   state.expression = tracked.centre;
   state.light = start.light;
   state.seen = shadow_of(tracked.whole, tracked.identity, state);
+  PictureState first = state;
+  first.pose = pose_of(start.camera, turning_point(model));
+  first.expression.assign(tracked.basis.expressions, 0.0);
+  for (std::size_t k = 0; k < std::min(first.expression.size(), start.expression.size()); ++k)
+    first.expression[k] = start.expression[k];
+  if (picture != nullptr) first.seen = shadow_of(tracked.whole, tracked.identity, first);
   Random random(static_cast<std::uint64_t>(options.seed));
   const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
   std::array<double, FacePose::size> moved_so_far{};
-  PictureLevel level;
+  Sizes sizes;
   for (const Stage& stage : stages) {
-    level = make_level(frame, std::min(1.0, stage.eyes_px / eyes_px));
+    const double factor = std::min(1.0, stage.eyes_px / eyes_px);
+    const bool is_last = &stage == stages + std::size(stages) - 1 || stage.eyes_px >= eyes_px;
+    sizes.frame = make_level(frame, factor);
+    if (picture != nullptr) sizes.start = start_view(tracked.whole, tracked.identity, first, *picture, factor);
     const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
-    for (std::int64_t i = 0; i < steps; ++i) step(tracked, level, eyes_px, random, state, moved_so_far);
-    if (stage.eyes_px >= eyes_px) break;
+    for (std::int64_t i = 0; i < steps; ++i) step(tracked, sizes, eyes_px, random, state, moved_so_far);
+    if (is_last) break;
   }
+  const PictureLevel& level = sizes.frame;
   FaceFit& fit = result.fit;
   fit.expression.assign(state.expression.begin(), state.expression.end());
   fit.camera = camera_of(state.pose);

@@ -5,10 +5,12 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.track_video", &track_video, version{3},
+NODE("model.track_video", &track_video, version{4},
      doc{"Follows a fitted head and its mouth through a video, frame by frame, by what it looks like."},
      input{"model", "The morphable model"}, input{"frame", "The video's frames"},
      input{"start", "The fit of the first frame"}, input{"albedo", "The face's colours, of texture.extract"},
+     input{"picture",
+           "What start was fitted on; unconnected: colours are the albedo's alone, and lips are followed worse"},
      param("expressions", &TrackVideoOptions::expressions, range{0, 1000}, unit{"1"}, "Leading components that move"),
      param("points", &TrackVideoOptions::points, range{50, 100000}, unit{"1"}, "Random pixels per step"),
      param("steps", &TrackVideoOptions::steps, range{1, 1000}, unit{"1"},

@@ -94,7 +94,7 @@ void TrackVideo(benchmark::State& state) {
   const FaceFit start = model::fit_image(world().model, world().picture, world().points);
   const AlbedoMap map = texture::extract(world().model, world().picture, start);
   for (auto _ : state)
-    benchmark::DoNotOptimize(model::track_video(world().model, world().picture, start, map, {}).fit.image_rms);
+    benchmark::DoNotOptimize(model::track_video(world().model, world().picture, start, map, nullptr, {}).fit.image_rms);
 }
 BENCHMARK(TrackVideo)->Unit(benchmark::kMillisecond);
 

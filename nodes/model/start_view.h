@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "nodes/model/pixel_rows.h"
+#include "nodes/types/image.h"
+
+namespace face::model {
+
+// The picture that a fit was made on, at one size, and how the skin lies in it. A map of colours that is read at
+// vertices is coarser than the dark line between lips; this is as fine as the picture.
+struct StartView {
+  PictureState state;
+  std::vector<Vec3f> points_mm, normals;  // local vertices
+  PictureLevel level;
+  DrawnSkin drawn;
+};
+
+StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
+                     const Image& picture, double factor);
+
+// Gives points the reflectance that the picture shows there, the light undone; those that it does not show, or from the
+// side, or in the dark, are left as they are. basis: of the points; it may have fewer triangles than the view's.
+void colour_points(const StartView& view, const SkinBasis& basis, std::vector<SkinPoint>& points);
+
+}  // namespace face::model
