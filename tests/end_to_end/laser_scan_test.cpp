@@ -37,7 +37,7 @@ TEST_F(LaserScan, AModelIsBuiltFromFilesOfScans) {
     "outputs": {"e_header.json": "e.header", "e_radius.png": "e.radius", "e_colour.png": "e.colour",
                 "p_radius.png": "p.radius", "p_colour.png": "p.colour", "scanned.png": null, "mean.png": null,
                 "spaces.csv": null, "planted_spaces.csv": null, "expression_errors.csv": null,
-                "person_errors.csv": null, "person_errors.first.csv": null, "resampled_errors.csv": null}
+                "person_errors.csv": null, "resampled_errors.csv": null}
   })");
   const Ended exported = command({"run", "files.json", "--quiet", "--out", "scans"});
   ASSERT_EQ(exported.code, 0) << exported.output;

@@ -179,6 +179,10 @@ const Registered laser_scans({
             {"model.match_cylinder.drawn", scans},
             {"model.match_cylinder.target", scans},
             {"model.match_cylinder.flow", flow},
+            {"model.match_motion.surface", same_surface},
+            {"model.match_motion.reference", scans},
+            {"model.match_motion.start", shape},
+            {"model.match_motion.target", scans},
             {"model.orient_shape.surface", same_surface},
             {"model.orient_shape.shape", shape},
             {"model.add_teeth.surface", same_surface},
@@ -208,6 +212,7 @@ const Registered laser_scans({
         {
             {"model.scan_template.row_step_px", whole(1)},
             {"model.scan_template.column_step_px", whole(1)},
+            {"model.match_motion.functions", whole(12)},
         },
     .values = {{"model.add_teeth.upper", {text("1"), text("2"), text("3")}},
                {"model.add_teeth.lower", {text("1"), text("2"), text("3")}}},
