@@ -11,6 +11,7 @@ extern "C" {
 #include <utility>
 
 #include "nodes/base/check.h"
+#include "nodes/decode/jpeg_end.h"
 
 namespace face::decode {
 namespace {
@@ -46,6 +47,12 @@ std::string why_unreadable(const std::string& path, int code) {
   if (code == AVERROR_INVALIDDATA && head.substr(4) == "ftyp")
     return "the list of its frames (moov) was not found: is the file whole?";
   return av_error_text(code);
+}
+
+// A picture file, not a film: FFmpeg's demuxers for those.
+bool is_picture(const AVFormatContext& format) {
+  const std::string_view demuxer = format.iformat->name;
+  return demuxer == "image2" || demuxer.ends_with("_pipe");
 }
 
 }  // namespace
@@ -104,6 +111,8 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
   const auto free_frame = [](AVFrame* f) { av_frame_free(&f); };
   const std::unique_ptr<AVPacket, decltype(free_packet)> packet(av_packet_alloc(), free_packet);
   const std::unique_ptr<AVFrame, decltype(free_frame)> frame(av_frame_alloc(), free_frame);
+  // In a film, a picture without its end is the camera's habit.
+  const bool one_jpeg = codec_->codec_id == AV_CODEC_ID_MJPEG && is_picture(*format_);
   std::int64_t byte = 0;
   const auto receive = [&] {
     for (;;) {
@@ -120,6 +129,9 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
     if (code < 0) fail(title_, " near byte ", byte, ": cannot be read: ", av_error_text(code));
     if (packet->stream_index == stream_->index) {
       if (packet->pos >= 0) byte = packet->pos;
+      check(!one_jpeg ||
+                has_jpeg_end({reinterpret_cast<const char*>(packet->data), static_cast<std::size_t>(packet->size)}),
+            title_, ": is cut short: its ", packet->size, " bytes hold no end of the JPEG picture");
       code = avcodec_send_packet(codec_, packet.get());
       if (code < 0 && code != AVERROR(EAGAIN))
         fail(title_, " near byte ", byte, ": cannot be decoded: ", av_error_text(code));

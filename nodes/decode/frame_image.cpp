@@ -3,7 +3,6 @@
 
 extern "C" {
 #include <libavcodec/avcodec.h>
-#include <libswscale/swscale.h>
 }
 
 #include <algorithm>
@@ -11,8 +10,9 @@ extern "C" {
 #include <memory>
 #include <vector>
 
-#include "nodes/base/check.h"
 #include "nodes/decode/av_input.h"
+#include "nodes/decode/jpeg_end.h"
+#include "nodes/decode/rgb_frame.h"
 
 namespace face::decode {
 namespace {
@@ -33,37 +33,18 @@ struct Free {
 }  // namespace
 
 Image image_of(const AVFrame& frame, const std::string& title) {
-  const auto format = static_cast<AVPixelFormat>(frame.format);
-  Image out{frame.width, frame.height, format == AV_PIX_FMT_GRAY8 ? 1 : 3, {}};
-  const auto width = static_cast<std::size_t>(frame.width);
-  if (out.channels == 1) {
-    for (int y = 0; y < frame.height; ++y) {
-      const std::uint8_t* row = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;
-      out.pixels.insert(out.pixels.end(), row, row + width);
-    }
-    return out;
-  }
-  const std::unique_ptr<SwsContext, void (*)(SwsContext*)> context(
-      sws_getContext(frame.width, frame.height, format, frame.width, frame.height, AV_PIX_FMT_RGB24,
-                     SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr),
-      &sws_freeContext);
-  check(context != nullptr, title, ": its pixel format cannot be converted to RGB");
-  // swscale writes whole vectors, so rows are padded and copied.
-  const int stride = (3 * frame.width + 63) / 64 * 64 + 64;
-  std::vector<std::uint8_t> padded(static_cast<std::size_t>(stride) * static_cast<std::size_t>(frame.height));
-  std::uint8_t* to[4] = {padded.data(), nullptr, nullptr, nullptr};
-  const int strides[4] = {stride, 0, 0, 0};
-  sws_scale(context.get(), frame.data, frame.linesize, 0, frame.height, to, strides);
+  if (static_cast<AVPixelFormat>(frame.format) != AV_PIX_FMT_GRAY8) return RgbConverter(frame, title).convert(frame);
+  Image out{frame.width, frame.height, 1, {}};
   for (int y = 0; y < frame.height; ++y) {
-    const auto row = padded.begin() + static_cast<std::ptrdiff_t>(stride) * y;
-    out.pixels.insert(out.pixels.end(), row, row + static_cast<std::ptrdiff_t>(3 * width));
+    const std::uint8_t* row = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;
+    out.pixels.insert(out.pixels.end(), row, row + frame.width);
   }
   return out;
 }
 
 Image read_picture_bytes(std::string_view bytes, const std::string& title) {
   const AVCodecID id = codec_of(bytes);
-  if (id == AV_CODEC_ID_NONE) return {};
+  if (id == AV_CODEC_ID_NONE || (id == AV_CODEC_ID_MJPEG && !has_jpeg_end(bytes))) return {};
   keep_av_quiet();
   const AVCodec* codec = avcodec_find_decoder(id);
   const std::unique_ptr<AVCodecContext, Free> context(avcodec_alloc_context3(codec));
