@@ -291,7 +291,7 @@ TEST_F(Guides, CommandsOfTheOtherPagesFitTheirGraphs) {
               "facegraph annotate --help"}}},
        6},
       {{.file = "docs/speech.md", .settings = talk}, 10},
-      {{.file = "docs/scan-streams.md", .settings = any}, 7},
+      {{.file = "docs/scan-streams.md", .settings = any}, 8},
       {{.file = "docs/video-to-mesh.md", .settings = map, .instead = {{"--set smoothness", ""}}}, 4},
       {{.file = "docs/morphable-model.md", .settings = face, .instead = {{"facegraph get graph.json fit", face}}}, 8},
       {{.file = "docs/speech-to-video.md", .settings = any}, 5},
