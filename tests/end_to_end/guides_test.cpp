@@ -292,7 +292,7 @@ TEST_F(Guides, CommandsOfTheOtherPagesFitTheirGraphs) {
        6},
       {{.file = "docs/speech.md", .settings = talk}, 10},
       {{.file = "docs/scan-streams.md", .settings = any}, 8},
-      {{.file = "docs/video-to-mesh.md", .settings = map, .instead = {{"--set smoothness", ""}}}, 4},
+      {{.file = "docs/video-to-mesh.md", .settings = map, .instead = {{"--set smoothness", ""}}}, 8},
       {{.file = "docs/morphable-model.md", .settings = face, .instead = {{"facegraph get graph.json fit", face}}}, 8},
       {{.file = "docs/speech-to-video.md", .settings = any}, 5},
       {{.file = "docs/phantom.md",
