@@ -289,7 +289,7 @@ TEST_F(Guides, CommandsOfTheOtherPagesFitTheirGraphs) {
             {{"facegraph annotate --clip clip.mpg --points lips18 --out page.html", "facegraph annotate --help"},
              {"facegraph annotate --clip clip.mpg --start clip.landmarks.json --corrections fix.json --out again.html",
               "facegraph annotate --help"}}},
-       6},
+       7},
       {{.file = "docs/speech.md", .settings = talk}, 10},
       {{.file = "docs/scan-streams.md", .settings = any}, 8},
       {{.file = "docs/video-to-mesh.md", .settings = map, .instead = {{"--set smoothness", ""}}}, 8},

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the pages send their readers.
+#include <regex>
+
+#include "tests/arch/source_tree.h"
+
+namespace {
+
+using namespace test;
+
+// The name by which a heading is linked: "How good it is" -> "how-good-it-is".
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == ' ') anchor += '-';
+  }
+  return anchor;
+}
+
+// Without what stands between fences, which is shown and not followed.
+std::vector<std::string> prose_of(const std::string& page) {
+  std::vector<std::string> prose;
+  bool inside = false;
+  for (const std::string& line : lines_of(text_of(page))) {
+    if (line.starts_with("```")) inside = !inside;
+    prose.push_back(inside || line.starts_with("```") ? "" : line);
+  }
+  return prose;
+}
+
+bool has_heading(const std::string& page, const std::string& anchor) {
+  const std::vector<std::string> prose = prose_of(page);
+  return std::any_of(prose.begin(), prose.end(), [&](const std::string& line) {
+    const std::size_t text = line.find_first_not_of('#');
+    return text != 0 && text != std::string::npos && line[text] == ' ' && anchor_of(line.substr(text + 1)) == anchor;
+  });
+}
+
+TEST(Pages, LinksLeadToFilesAndHeadingsThatAreThere) {
+  const std::regex link("\\]\\(([^)# ]*)(?:#([^) ]*))?\\)");
+  for (const std::string& page : kept_files({".md"})) {
+    const std::vector<std::string> prose = prose_of(page);
+    for (std::size_t i = 0; i < prose.size(); ++i)
+      for (std::sregex_iterator match(prose[i].begin(), prose[i].end(), link), end; match != end; ++match) {
+        const std::string file = (*match)[1], heading = (*match)[2];
+        if (file.find("://") != std::string::npos) continue;
+        const std::string place = page + ":" + std::to_string(i + 1);
+        const std::string target =
+            file.empty() ? page : (fs::path(page).parent_path() / file).lexically_normal().generic_string();
+        if (!fs::exists(fs::path(FACEGRAPH_SOURCE_DIR) / target)) {
+          ADD_FAILURE() << place << ": links to " << target << ", which is not there";
+        } else if (!heading.empty()) {
+          EXPECT_TRUE(has_heading(target, heading)) << place << ": " << target << " has no heading #" << heading;
+        }
+      }
+  }
+}
+
+TEST(Pages, ThatOtherFilesNameAreThere) {
+  const std::regex named("\\bdocs/[A-Za-z0-9_/-]+\\.md\\b");
+  for (const std::string& file : kept_files({".h", ".cpp", ".cmake", "CMakeLists.txt", ".json", ".md", ".sh", ".py"})) {
+    const std::vector<std::string> lines = lines_of(text_of(file));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), named), end; match != end; ++match)
+        EXPECT_TRUE(fs::exists(fs::path(FACEGRAPH_SOURCE_DIR) / match->str()))
+            << file << ":" << i + 1 << ": names " << match->str() << ", which is not there";
+  }
+}
+
+}  // namespace
