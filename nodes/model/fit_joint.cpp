@@ -13,7 +13,7 @@ namespace face::model {
 namespace {
 
 constexpr double extreme_share = 0.45;
-// Of likeness: docs/morphable-model.md says what right and wrong places come to.
+// Of likeness: docs/measured/morphable-model.md says what right and wrong places come to.
 constexpr double least_likeness = 0.3;
 // Noise, a hard contrast and a painted look are nothing that light and skin explain. Where the place certainly looks
 // like a face, and the points agree, they are believed up to `hard_look` times the difference: a posterised or inked
