@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the pages send their readers.
+#include <iterator>
 #include <regex>
 
 #include "tests/arch/source_tree.h"
@@ -66,6 +67,28 @@ TEST(Pages, ThatOtherFilesNameAreThere) {
       for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), named), end; match != end; ++match)
         EXPECT_TRUE(fs::exists(fs::path(FACEGRAPH_SOURCE_DIR) / match->str()))
             << file << ":" << i + 1 << ": names " << match->str() << ", which is not there";
+  }
+}
+
+// What stands behind a figure is told in docs/measured/, so that the guide's table stays one that is read.
+TEST(Pages, CellsOfTheTablesOfBarsAreShort) {
+  constexpr std::size_t most_words = 45;
+  for (const std::string& page : files_below("docs", {".md"})) {
+    if (page.starts_with("docs/measured/")) continue;
+    const std::vector<std::string> prose = prose_of(page);
+    bool bars = false;
+    for (std::size_t i = 0; i < prose.size(); ++i) {
+      if (prose[i].starts_with("## ")) bars = prose[i] == "## How good it is";
+      if (!bars || !prose[i].starts_with("|")) continue;
+      std::istringstream cells(prose[i]);
+      for (std::string cell; std::getline(cells, cell, '|');) {
+        std::istringstream words(cell);
+        const auto count = static_cast<std::size_t>(
+            std::distance(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()));
+        EXPECT_LE(count, most_words) << page << ":" << i + 1 << ": a cell of " << count
+                                     << " words; tell it in docs/measured/: " << cell.substr(0, 60);
+      }
+    }
   }
 }
 
