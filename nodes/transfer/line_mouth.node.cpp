@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.line_mouth", &line_mouth, version{2},
+NODE("transfer.line_mouth", &line_mouth, version{3},
      doc{"Spans the opening between a speaking model's lips with a dark surface that moves with them."},
      input{"rig", "The speaking model"}, input{"mesh", "Its reference's mesh, whose mouth is open"},
      param("brightness", &LineMouthOptions::brightness, range{0.0, 1.0}, unit{"1"},

@@ -13,7 +13,6 @@
 namespace face::transfer {
 namespace {
 
-constexpr int slices = 24;  // of the opening's width, in which its middle is taken
 constexpr float head_margin_mm = 5;
 
 struct Piece {
@@ -52,6 +51,25 @@ std::vector<Piece> border_pieces(const Mesh& mesh) {
   return pieces;
 }
 
+// The vertices between two on the shortest way along the border's edges in their direction, ascending.
+std::vector<std::uint32_t> way_along(const std::map<std::uint32_t, std::vector<std::uint32_t>>& next,
+                                     std::uint32_t from, std::uint32_t to) {
+  std::map<std::uint32_t, std::uint32_t> before = {{from, from}};
+  std::vector<std::uint32_t> front = {from};
+  while (!front.empty() && !before.contains(to)) {
+    std::vector<std::uint32_t> reached;
+    for (const std::uint32_t v : front)
+      for (const std::uint32_t n : next.at(v))
+        if (before.emplace(n, v).second) reached.push_back(n);
+    front = std::move(reached);
+  }
+  std::vector<std::uint32_t> way;
+  if (before.contains(to))
+    for (std::uint32_t v = before.at(to); v != from; v = before.at(v)) way.push_back(v);
+  std::sort(way.begin(), way.end());
+  return way;
+}
+
 }  // namespace
 
 MouthOpening find_mouth_opening(const Mesh& mesh, double least_width_mm) {
@@ -77,25 +95,14 @@ MouthOpening find_mouth_opening(const Mesh& mesh, double least_width_mm) {
   }
   if (!widest) return mouth;
   const std::vector<std::uint32_t>& piece = widest->vertices;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> next;
+  for (const auto& [a, b] : open_edges(mesh)) next[a].push_back(b);
   const auto x_of = [&](std::uint32_t v) { return mesh.points_mm[v][0]; };
   mouth.right_corner = *std::min_element(piece.begin(), piece.end(), [&](auto a, auto b) { return x_of(a) < x_of(b); });
   mouth.left_corner = *std::max_element(piece.begin(), piece.end(), [&](auto a, auto b) { return x_of(a) < x_of(b); });
-  const float first = x_of(mouth.right_corner), step = (x_of(mouth.left_corner) - first) / slices;
-  constexpr float far = std::numeric_limits<float>::max();
-  std::vector<float> top(slices, -far), bottom(slices, far);
-  const auto slice_of = [&](std::uint32_t v) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>((x_of(v) - first) / step), 0, slices - 1));
-  };
-  for (const std::uint32_t v : piece) {
-    const std::size_t s = slice_of(v);
-    top[s] = std::max(top[s], mesh.points_mm[v][1]);
-    bottom[s] = std::min(bottom[s], mesh.points_mm[v][1]);
-  }
-  for (const std::uint32_t v : piece) {
-    if (v == mouth.right_corner || v == mouth.left_corner) continue;
-    const std::size_t s = slice_of(v);
-    (mesh.points_mm[v][1] > (top[s] + bottom[s]) / 2 ? mouth.upper : mouth.lower).push_back(v);
-  }
+  // Edges have the surface on their left, so that the way to the left corner goes along the upper lip.
+  mouth.upper = way_along(next, mouth.right_corner, mouth.left_corner);
+  mouth.lower = way_along(next, mouth.left_corner, mouth.right_corner);
   return mouth;
 }
 

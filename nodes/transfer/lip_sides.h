@@ -22,7 +22,8 @@ struct MouthOpening {
 
 // Of the holes in the mesh (pieces of its border that the surface lies around, seen from the front) the widest in x is
 // the mouth, if it is at least least_width_mm wide and no farther from the middle than a quarter of the mesh's width.
-// Its vertices above the middle of the opening at their x are the upper lip's.
+// The upper lip's vertices are those along its edge from corner to corner above the opening, the lower lip's those
+// below; a vertex in which lips touch is both's.
 MouthOpening find_mouth_opening(const Mesh& mesh, double least_width_mm = 15);
 
 enum class LipSide : std::int8_t { lower = -1, none = 0, upper = 1 };

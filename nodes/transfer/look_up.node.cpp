@@ -6,7 +6,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.look_up", &look_up, version{1},
+NODE("transfer.look_up", &look_up, version{2},
      doc{"Which point of a model of identities every vertex of a speaking model is: the same height and angle, and the "
          "same lip."},
      input{"model", "The model of identities"}, input{"fitted", "Its vertices, fitted to the neutral frame"},

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.mark_lips", &mark_lips, version{1},
+NODE("transfer.mark_lips", &mark_lips, version{2},
      doc{"Tells a speaking model's rig where its lips meet, so that closure can be measured."},
      input{"rig", "From model.model_rig"}, input{"mesh", "From model.scan_mesh on the reference, whose lips are apart"},
      param("middle_share", &MarkLipsOptions::middle_share, range{0.01, 1.0}, unit{"1"},

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.project_cylinder", &project_cylinder, version{1},
+NODE("transfer.project_cylinder", &project_cylinder, version{2},
      doc{"A frame of a speaking model around its axis: radius and grey over height and angle."},
      input{"mesh", "From model.scan_mesh"}, input{"shape", "Where its vertices are in the frame"},
      input{"axis", "From align.fit_axis"},
