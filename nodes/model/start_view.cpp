@@ -13,7 +13,7 @@ namespace face::model {
 namespace {
 
 constexpr double least_facing = 0.35;   // cosine of normal and line of sight below which a pixel holds too much skin
-constexpr double depth_slack_px = 3;    // of a point behind what its pixel shows, in pixels' widths at 1 mm each
+constexpr double depth_slack_mm = 3;    // of a point behind what its pixel shows; larger pixels hold more depth
 constexpr double darkest_light = 0.03;  // below, its inverse is noise
 constexpr double least_albedo = 1e-4;
 
@@ -61,7 +61,7 @@ void colour_points(const StartView& view, const SkinBasis& basis, std::vector<Sk
     const long px = std::lround(x), py = std::lround(y);
     if (px < 0 || py < 0 || px >= raster.width_px || py >= raster.height_px) continue;
     const float inverse = raster.inverse_depth_per_mm[raster.index(static_cast<int>(px), static_cast<int>(py))];
-    if (inverse > 0 && depth > 1.0 / static_cast<double>(inverse) + depth_slack_px / view.level.factor) continue;
+    if (inverse > 0 && depth > 1.0 / static_cast<double>(inverse) + depth_slack_mm / view.level.factor) continue;
     const std::array<float, 9> seen = sample_at(view.level, x, y);
     const std::array<double, 3> lit = lit_of(state.light, {seen[0], seen[1], seen[2]});
     const double cosine = share * static_cast<double>(render::dot(normal, towards));
