@@ -25,6 +25,11 @@ struct Pair {
   double depth_px = 0;  // of the point at rest
 };
 
+// Rigid points tremble by up to a pixel where the inner corners of the eyes are 30 px apart. What goes beyond that, as
+// a share of how far the rigid points are from their middle (20 px there), is motion: of a camera in somebody's hand,
+// of a head that starts.
+constexpr double trembling = 0.1;
+
 // Of the whole head's pose: on phantoms who turn and nod it is off by up to a degree sideways, in nods, which
 // raised brows look like, by one to two degrees and in scale by 1 to 3 %.
 constexpr HeadPose head_deviation{.nod = 0.03, .turn = 0.02, .tilt = 0.02, .log_scale = 0.03};
@@ -34,7 +39,7 @@ struct RigidPoints {
   std::vector<Point> places;
   std::vector<bool> seen;
 
-  bool all() const { return std::find(seen.begin(), seen.end(), false) == seen.end(); }
+  bool all() const { return !seen.empty() && std::find(seen.begin(), seen.end(), false) == seen.end(); }
   Point mean_of(const std::vector<std::size_t>& points) const {
     Point sum = 0;
     for (const std::size_t i : points) sum += places[i];
@@ -86,6 +91,32 @@ RigidPoints bridge(const std::vector<RigidPoints>& frames, std::size_t t) {
   return here;
 }
 
+// How much the frames t - away and t + away count for frame t, 0 to 1: their mean is where a head that moves evenly is
+// in frame t. One of them alone stands for both at either end. Where a camera shakes, neighbours would carry the head's
+// place, and with it the mouth, by as much as it shakes.
+double agreement(const std::vector<RigidPoints>& frames, std::size_t t, std::size_t away, double size_px) {
+  const bool has_before = t >= away && frames[t - away].all();
+  const bool has_after = t + away < frames.size() && frames[t + away].all();
+  if (!has_before && !has_after) return 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < frames[t].places.size(); ++i) {
+    const Point before = frames[has_before ? t - away : t + away].places[i];
+    const Point after = frames[has_after ? t + away : t - away].places[i];
+    squares += std::norm(0.5 * (before + after) - frames[t].places[i]);
+  }
+  const double off = std::sqrt(squares / static_cast<double>(frames[t].places.size())) / (trembling * size_px);
+  return 1 / (1 + off * off * off * off);
+}
+
+// Root mean square distance of a frame's rigid points from their middle.
+double size_of(const std::vector<Pair>& pairs) {
+  Point middle = 0;
+  for (const Pair& pair : pairs) middle += pair.from / static_cast<double>(pairs.size());
+  double squares = 0;
+  for (const Pair& pair : pairs) squares += std::norm(pair.from - middle);
+  return std::sqrt(squares / static_cast<double>(pairs.size()));
+}
+
 std::vector<Pair> pairs_of(const RigidPoints& here, const Landmarks& rest, const Matrix* depths_px,
                            const StabiliseOptions& options, double weight) {
   std::vector<Pair> pairs;
@@ -131,11 +162,16 @@ Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks&
   const bool solid = depths_px != nullptr && pairs.size() >= (likely ? 1 : 2);
   const std::size_t first = centre - std::min(centre, smoothing_reach);
   const std::size_t last = std::min(centre + smoothing_reach, landmarks.size() - 1);
+  std::vector<RigidPoints> bridged(rigid.size());
+  for (std::size_t i = first; i <= last; ++i) bridged[i] = bridge(rigid, i);
+  const double size_px = size_of(pairs);
   for (std::size_t i = first; i <= last && options.smooth_frames > 0; ++i) {
     if (i == centre) continue;
     const double frames = (static_cast<double>(i) - static_cast<double>(centre)) / options.smooth_frames;
+    const std::size_t away = i < centre ? centre - i : i - centre;
+    const double believed = bridged[centre].all() && size_px > 0 ? agreement(bridged, centre, away, size_px) : 1;
     const std::vector<Pair> more =
-        pairs_of(bridge(rigid, i), rest, depths_px, options, std::exp(-0.5 * frames * frames));
+        pairs_of(bridged[i], rest, depths_px, options, believed * std::exp(-0.5 * frames * frames));
     if (more.size() == options.rigid.size()) pairs.insert(pairs.end(), more.begin(), more.end());
   }
   double total = 0, size = 0;

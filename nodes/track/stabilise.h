@@ -19,7 +19,8 @@ struct StabiliseOptions {
 // points lie nearest to those of `rest` (least squares; similarity in the plane, closed form; Umeyama, Least-squares
 // estimation of transformation parameters between two point patterns, 1991). The head's place is found from the rigid
 // points of the neighbouring frames too, by a bell of `smooth_frames`: three points alone tremble, and what is below
-// them trembles more. Rigid points come out where rest has them. Two points that can be seen give the turn and the
+// them trembles more; neighbours count as far as they lie about this frame, which those of a shaking camera do not.
+// Rigid points come out where rest has them. Two points that can be seen give the turn and the
 // scale as well, one gives the place alone; without any, all points of the frame are not valid, where they were.
 //
 // Where a blink or a look down hides corners of the eyes, they are taken to go with the points that are seen all the

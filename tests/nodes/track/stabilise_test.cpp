@@ -57,6 +57,18 @@ TEST(Stabilise, TremblesLessWithNeighbours) {
   EXPECT_LT(smooth, 0.6 * plain);
 }
 
+// A camera in somebody's hand moved the mouth over the head by as much as it shook.
+TEST(Stabilise, LeavesTheMouthInItsPlaceWhereTheCameraShakes) {
+  const std::vector<Landmarks> frames = {turned(rest(), 0.02, 1, -6, 4), turned(rest(), -0.03, 1, 7, -5),
+                                         turned(rest(), 0.03, 1, -5, 6), turned(rest(), -0.02, 1, 6, -7),
+                                         turned(rest(), 0.03, 1, -7, 5)};
+  for (std::size_t at = 0; at < frames.size(); ++at) {
+    const Landmark lip = stabilise(window(frames, at), rest(), nullptr, nullptr).points[3];
+    EXPECT_NEAR(lip.x_px, 140, 0.3) << "frame " << at;  // 6 px before
+    EXPECT_NEAR(lip.y_px, 170, 0.3) << "frame " << at;
+  }
+}
+
 TEST(Stabilise, KeepsTheScaleWhereOnePointIsSeen) {
   Landmarks moved = turned(rest(), 0, 1, 5, 6);
   moved.points[0].valid = moved.points[1].valid = false;
