@@ -114,6 +114,10 @@ BakeShapesResult bake_shapes(const Rig& rig, const engine::Seq<MeshPoints>& poin
     result.rig.shapes.push_back(std::move(shape));
     for (Weights& frame : frames) frame.values[s] /= scale;
   }
+  if (shapes == 0) {  // a photograph, a face that is never found: the head still goes where heads that move go
+    result.rig.shapes.push_back({"motion_0", {}, {}});
+    for (Weights& frame : frames) frame.values.assign(1, 0.0f);
+  }
   for (std::size_t frame = 0; frame < frames.size(); ++frame) weights.push(points.id(frame), std::move(frames[frame]));
   return result;
 }

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.bake_shapes", &bake_shapes, version{1},
+NODE("meshik.bake_shapes", &bake_shapes, version{2},
      doc{"Makes blend shapes and their weights of an animation of vertices, for pictures and glTF."},
      input{"rig", "The head"}, input{"points", "The vertices of every frame"},
      param("tolerance_mm", &BakeShapesOptions::tolerance_mm, range{0.0, 100.0}, unit{"mm"},
