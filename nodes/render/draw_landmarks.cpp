@@ -15,6 +15,8 @@ namespace {
 using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour tracked = {60, 230, 90}, lost = {240, 60, 50}, outline = {10, 20, 10};
 
+constexpr double full_size_px = 640;  // of a picture whose dots have the radius that is asked for
+
 void blend(Image& image, int x, int y, const Colour& colour, double opacity) {
   std::uint8_t* pixel =
       &image
@@ -50,11 +52,13 @@ void draw_dot(Image& image, const Landmark& point, double radius_px) {
 Image draw_landmarks(const Image& frame, const Landmarks& landmarks, const DrawLandmarksOptions& options) {
   check(options.radius_px > 0, "radius_px is ", options.radius_px, ", expected more than 0");
   Image image = rgb_image(frame);
-  const double margin = options.radius_px + 2;
+  // Larger pictures are looked at from farther away, or made smaller.
+  const double radius_px = options.radius_px * std::max(1.0, std::max(image.width, image.height) / full_size_px);
+  const double margin = radius_px + 2;
   for (const Landmark& point : landmarks.points) {
     const bool near = point.x_px > -margin && point.y_px > -margin && point.x_px < image.width + margin &&
                       point.y_px < image.height + margin;  // false for NaN as well
-    if (near) draw_dot(image, point, options.radius_px);
+    if (near) draw_dot(image, point, radius_px);
   }
   return image;
 }

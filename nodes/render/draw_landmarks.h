@@ -10,7 +10,8 @@ struct DrawLandmarksOptions {
 };
 
 // The frame as RGB with a dot on every point: green where it is tracked, a red ring where it is lost. Points outside
-// the frame are left out.
+// the frame are left out. Dots grow with pictures that are wider or higher than 640 px, in which they would not be
+// seen.
 Image draw_landmarks(const Image& frame, const Landmarks& landmarks, const DrawLandmarksOptions& options = {});
 
 }  // namespace face::render
