@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "nodes/types/depth_scan.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/mesh.h"
+#include "nodes/types/mesh_points.h"
 #include "nodes/types/morphable_model.h"
 #include "nodes/types/rig.h"
 #include "nodes/types/weights.h"
 #include "tests/conformance/samples/shared.h"
+#include "tests/support/lip_sheet.h"
 
 namespace conformance {
 namespace {
@@ -26,10 +30,29 @@ const Maker bare_model =
       for (face::Vec3f& point : model.mean.points_mm) point[0] *= 1 + 0.1f * static_cast<float>(variant);
     });
 
+// A sheet with a mouth, which in the second is shut, and a scan of it whose mouth is open farther.
+const Maker lips = made([](int variant) { return test::lip_sheet(2, 90, variant != 1); });
+const Maker lip_points = made([](int variant) { return face::MeshPoints{test::lip_sheet(0.5 * variant).points_mm}; });
+const Maker open_lips = made([](int variant) {
+  constexpr int size = 96;  // a pixel is about a millimetre
+  face::DepthScan scan;
+  scan.camera.focal_px = 200;
+  scan.camera.position_mm = {0, 0, 290};
+  scan.camera.centre_x_px = scan.camera.centre_y_px = 47.5f;
+  scan.picture = {size, size, 1, std::vector<std::uint8_t>(size * size, 90)};
+  scan.depth_mm.assign(size * size, 202);
+  for (int y = 45 - variant; y < 52 + variant; ++y)
+    for (int x = 34; x < 62; ++x) scan.depth_mm[static_cast<std::size_t>(size * y + x)] = 0;
+  return scan;
+});
+
 const Registered model({
     .inputs =
         {
             {"model.add_albedo.model", bare_model},
+            {"model.leave_openings.mesh", lips},
+            {"model.leave_openings.shape", lip_points},
+            {"model.leave_openings.scan", open_lips},
             {"model.region_pca.weights", matrices(525, 1)},
             {"model.fit_landmarks.landmarks", inner_points},
             {"model.fit_landmarks.picture", sized_picture},
