@@ -7,7 +7,9 @@
 namespace face::meshik {
 
 std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks) {
-  check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(), " landmarks, expected 68");
+  check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(),
+        " landmarks, expected 68, as the embedded head, ICT-FaceKit folders and GLB files that were made of these "
+        "have; points of a video move no other head");
   const auto place = [](const std::string& name) -> int {
     for (const auto& [known, number] : clip_points)
       if (name == known) return static_cast<int>(number);
@@ -22,7 +24,8 @@ std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& l
   std::vector<LandmarkVertex> found;
   for (std::size_t i = 0; i < landmarks.points.size(); ++i) {
     const int at = place(landmarks.points[i].name);
-    if (at >= 0) found.push_back({i, rig.landmarks68[static_cast<std::size_t>(at)], at, at == 30 || at == 39 || at == 42});
+    if (at >= 0)
+      found.push_back({i, rig.landmarks68[static_cast<std::size_t>(at)], at, at == 30 || at == 39 || at == 42});
   }
   check(!found.empty(),
         "no landmark is called lip_0 to lip_11, jaw_r, chin, jaw_l, eye_inner_r, eye_inner_l or nose_tip");
