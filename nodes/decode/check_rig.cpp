@@ -180,6 +180,8 @@ std::string about(const Rig& rig) {
   text += rig.upper_teeth.empty()
               ? "no upper teeth were found: name a mesh or a material \"teeth\" where there are some\n"
               : "upper teeth were found\n";
+  if (rig.landmarks68.size() != 68)
+    text += "its 68 landmarks are not known: speech moves it, points of a video do not\n";
   return text + about_pose(rig);
 }
 
