@@ -81,7 +81,7 @@ ReadVideoResult read_video(const engine::File& file, engine::SeqWriter<Image>& f
     frames.push(std::move(image));
     if (stated_duration_s > 0) progress.report(std::min(1.0, time_s.back() / stated_duration_s));
   });
-  check(!time_s.empty(), title, ": holds no frames that can be decoded, expected a whole video file");
+  check(!time_s.empty(), title, ": holds no frames that can be decoded, expected a whole video or picture");
   result.rate_hz =
       time_s.size() > 1 ? static_cast<double>(time_s.size() - 1) / (time_s.back() - time_s.front()) : 1 / step_s;
   result.timeline.duration_s = time_s.back() + 1 / result.rate_hz;

@@ -2,6 +2,9 @@
 #include "nodes/meshik/transfer_landmarks.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,25 +14,81 @@
 namespace face::meshik {
 namespace {
 
+// A gap up to this is seen better than the lips' outer edges tell it; in wide ones a tongue is taken for lip.
+constexpr double clear_gap_mm = 4;
+
 VertexTarget at_rest(const Rig& rig, std::uint32_t vertex) {
   const Vec3f& rest = rig.neutral.points_mm[vertex];
   return {vertex, static_cast<double>(rest[0]), static_cast<double>(rest[1]), 0, false};
 }
 
+// How far targets of a key mesh are from rest, in front.
+using Offsets = std::vector<std::array<double, 2>>;
+
+Offsets offsets_of(const Rig& rig, const Mesh& key, const std::vector<VertexTarget>& targets) {
+  Offsets offsets;
+  for (const VertexTarget& target : targets) {
+    const Vec3f &rest = rig.neutral.points_mm[target.vertex], &posed = key.points_mm[target.vertex];
+    offsets.push_back({static_cast<double>(posed[0] - rest[0]), static_cast<double>(posed[1] - rest[1])});
+  }
+  return offsets;
+}
+
+// How far the speaker's inner lips are apart in the key shapes, beyond rest.
+class SeenGaps {
+ public:
+  SeenGaps(const Rig& rig, const KeyShapes& key_shapes, const std::vector<LandmarkVertex>& places,
+           const Landmarks& neutral)
+      : key_shapes_(key_shapes), neutral_(neutral), mm_per_px_(landmark_scale_mm(rig, neutral, places)) {
+    for (std::size_t above = 0; above < places.size(); ++above)
+      for (std::size_t below = 0; below < places.size(); ++below)
+        if (places[above].number >= 61 && places[above].number <= 63 &&
+            places[below].number == 128 - places[above].number)
+          pairs_.push_back({above, below, places[above].landmark, places[below].landmark});
+  }
+
+  // The offsets of key mesh k with lips that are as far apart as is seen, as far as that is to be trusted, each going
+  // half of the way.
+  void part(std::size_t k, Offsets& offsets) const {
+    for (const Pair& pair : pairs_) {
+      const double seen_mm = mm_per_px_ * (gap_px(key_shapes_.shapes[k].landmarks, pair) - gap_px(neutral_, pair));
+      double &above = offsets[pair.above][1], &below = offsets[pair.below][1];
+      const double share = 1 / (1 + std::pow(seen_mm / clear_gap_mm, 2));
+      const double by_mm = share * (seen_mm - (above - below));
+      above += by_mm / 2;
+      below -= by_mm / 2;
+    }
+  }
+
+ private:
+  struct Pair {
+    std::size_t above, below;            // places, which are the first targets
+    std::size_t upper_mark, lower_mark;  // landmarks
+  };
+  static double gap_px(const Landmarks& landmarks, const Pair& pair) {
+    return landmarks.points[pair.lower_mark].y_px - landmarks.points[pair.upper_mark].y_px;
+  }
+  const KeyShapes& key_shapes_;
+  const Landmarks& neutral_;
+  double mm_per_px_ = 0;
+  std::vector<Pair> pairs_;
+};
+
 // Moves targets at rest to where the weights blend their vertices, in front. Each mesh is asked for once: it may have
 // to be read from a disk.
-void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& weights,
+void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& weights, const SeenGaps* gaps,
            std::vector<VertexTarget>& targets) {
   for (std::size_t k = 0; k < weights.values.size(); ++k) {
     if (weights.values[k] == 0) continue;
     const auto key = key_meshes.at(k);
     check(key->points_mm.size() == rig.neutral.points_mm.size(), "key mesh ", key_meshes.id(k), " has ",
           key->points_mm.size(), " vertices, expected ", rig.neutral.points_mm.size());
+    Offsets offsets = offsets_of(rig, *key, targets);
+    if (gaps != nullptr) gaps->part(k, offsets);
     const auto weight = static_cast<double>(weights.values[k]);
-    for (VertexTarget& target : targets) {
-      const Vec3f &rest = rig.neutral.points_mm[target.vertex], &posed = key->points_mm[target.vertex];
-      target.x_mm += weight * static_cast<double>(posed[0] - rest[0]);
-      target.y_mm += weight * static_cast<double>(posed[1] - rest[1]);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      targets[i].x_mm += weight * offsets[i][0];
+      targets[i].y_mm += weight * offsets[i][1];
     }
   }
 }
@@ -37,7 +96,7 @@ void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& w
 }  // namespace
 
 VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const KeyShapes& key_shapes,
-                                 const Weights& weights, const double* contact) {
+                                 const Weights& weights, const double* contact, const Landmarks* neutral) {
   check(!key_shapes.shapes.empty(), "there are no key shapes");
   check(!contact || (*contact >= 0 && *contact <= 1), "contact is ", contact ? *contact : 0, ", expected 0 to 1");
   VertexTargets targets;
@@ -45,9 +104,10 @@ VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_me
   check(weights.values.size() == key_meshes.size(), "there are ", weights.values.size(), " weights, expected ",
         key_meshes.size(), ", one per key mesh");
   const std::size_t vertices = rig.neutral.points_mm.size();
-  for (const LandmarkVertex& landmark : landmark_vertices(rig, key_shapes.shapes[0].landmarks)) {
-    check(landmark.vertex < vertices, "a landmark is vertex ", landmark.vertex, ", expected one below ", vertices);
-    targets.targets.push_back(at_rest(rig, landmark.vertex));
+  const std::vector<LandmarkVertex> places = landmark_vertices(rig, key_shapes.shapes[0].landmarks);
+  for (const LandmarkVertex& place : places) {
+    check(place.vertex < vertices, "a landmark is vertex ", place.vertex, ", expected one below ", vertices);
+    targets.targets.push_back(at_rest(rig, place.vertex));
   }
   const bool meets = contact && *contact > 0;
   const auto target_of = [&](std::uint32_t vertex) {
@@ -64,7 +124,14 @@ VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_me
     const std::size_t upper = target_of(pair.upper), lower = target_of(pair.lower);
     lips.emplace_back(upper, lower);
   }
-  blend(rig, key_meshes, weights, targets.targets);
+  std::optional<SeenGaps> gaps;
+  if (neutral != nullptr) {
+    const std::size_t expected = key_shapes.shapes[0].landmarks.points.size();
+    check(neutral->points.size() == expected, "neutral has ", neutral->points.size(), " landmarks, expected ", expected,
+          " as the key shapes");
+    gaps.emplace(rig, key_shapes, places, *neutral);
+  }
+  blend(rig, key_meshes, weights, gaps ? &*gaps : nullptr, targets.targets);
   for (const auto& [upper, lower] : lips) {
     VertexTarget &above = targets.targets[upper], &below = targets.targets[lower];
     const auto gap_at_rest =

@@ -65,7 +65,7 @@ struct Gap {
   double from = 0, to = 0;  // along the line, 0 to 1
 };
 
-// The lips' thickness at rest as shares of a line.
+// The lips' thickness as shares of a line.
 struct Thickness {
   double upper = 0, lower = 0;
 };
@@ -84,14 +84,14 @@ std::vector<double> excess_along(std::vector<Colour>& colours, double unlike) {
   return excess;
 }
 
-// The most likely gap where the lips' thickness at rest is known: teeth and hollow are unlike the lips, tongue and gums
-// are not, but a lip is about as thick as at rest.
-Gap likely_gap(std::vector<Colour> colours, const Thickness& rest, const InnerLipsOptions& options) {
+// The most likely gap where the lips' thickness is known: teeth and hollow are unlike the lips, tongue and gums are
+// not, but a lip is about as thick as expected.
+Gap likely_gap(std::vector<Colour> colours, const Thickness& expected, const InnerLipsOptions& options) {
   const std::vector<double> excess = excess_along(colours, options.unlike);
   std::vector<double> sum = {0};
   for (const double e : excess) sum.push_back(sum.back() + e * options.evidence / samples);
-  const auto cost = [&](double thickness, double at_rest) {
-    const double off = (thickness - at_rest) / (options.thickness_deviation * at_rest);
+  const auto cost = [&](double thickness, double usual) {
+    const double off = (thickness - usual) / (options.thickness_deviation * usual);
     return off * off / 2;
   };
   Gap gap;
@@ -100,7 +100,7 @@ Gap likely_gap(std::vector<Colour> colours, const Thickness& rest, const InnerLi
     for (int to = from; to < samples; ++to) {
       const double u = from / double(samples), l = 1 - to / double(samples);
       const double score = sum[static_cast<std::size_t>(to)] - sum[static_cast<std::size_t>(from)] -
-                           cost(u, rest.upper) - cost(l, rest.lower);
+                           cost(u, expected.upper) - cost(l, expected.lower);
       if (score > best) best = score, gap = {u, 1 - l};
     }
   return gap;
@@ -146,16 +146,25 @@ double scale_of(const Landmarks& landmarks, const Landmarks& rest) {
   return here > 0 && there > 0 ? here / there : 1;
 }
 
-// Of the line of inner_lip_1, _2 or _3; none where the mouth at rest does not say.
-std::optional<Thickness> thickness_at_rest(const Landmarks& rest, const Landmarks& landmarks, const LipLine& line,
-                                           std::size_t number) {
+// How many times as wide the mouth at rest is on the head; 1 where it does not say.
+double narrowing(const Landmarks& rest, double scale, const MouthWidth& width) {
+  constexpr double most = 2;  // beyond, a corner is lost
+  const Landmark *const right = find_landmark(rest, "lip_0"), *const left = find_landmark(rest, "lip_6");
+  if (!right || !left || width.length_px() <= 0) return 1;
+  return std::clamp(scale * distance_px(*right, *left) / width.length_px(), 1 / most, most);
+}
+
+// Of the line of inner_lip_1, _2 or _3 as thick as at rest, but for the mouth's width; none where rest does not say.
+std::optional<Thickness> expected_thickness(const Landmarks& rest, const Landmarks& landmarks, const LipLine& line,
+                                            std::size_t number, const MouthWidth& width, double thickening) {
   const Landmark *const upper = find_landmark(rest, line.upper->name),
                         *const lower = find_landmark(rest, line.lower->name),
                         *const above = find_landmark(rest, "inner_lip_" + std::to_string(number)),
                         *const below = find_landmark(rest, "inner_lip_" + std::to_string(8 - number));
   const double length = distance_px(*line.upper, *line.lower);
   if (!upper || !lower || !above || !below || length <= 0) return std::nullopt;
-  const double share = scale_of(landmarks, rest) / length;
+  const double scale = scale_of(landmarks, rest);
+  const double share = scale / length * std::pow(narrowing(rest, scale, width), thickening);
   const Thickness result{share * distance_px(*upper, *above), share * distance_px(*below, *lower)};
   if (result.upper <= 0 || result.lower <= 0) return std::nullopt;
   return result;
@@ -176,9 +185,10 @@ Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landm
   std::vector<Landmark> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LipLine& line = lines[i];
-    const std::optional<Thickness> at_rest = rest ? thickness_at_rest(*rest, landmarks, line, i + 1) : std::nullopt;
+    const std::optional<Thickness> expected =
+        rest ? expected_thickness(*rest, landmarks, line, i + 1, width, options.thickening) : std::nullopt;
     const std::vector<Colour> seen = colours_along(colours, line, width);
-    const Gap gap = at_rest ? likely_gap(seen, *at_rest, options) : find_gap(seen, options.unlike);
+    const Gap gap = expected ? likely_gap(seen, *expected, options) : find_gap(seen, options.unlike);
     const auto at = [&](double v, std::size_t number) {
       return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
                       (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};

@@ -7,9 +7,10 @@ namespace face::track {
 
 struct InnerLipsOptions {
   double unlike = 2.5;  // deviations from the colours of the lips from which on it is no lip
-  // With a mouth at rest: how much the thickness of a lip varies, as a share of that at rest, and what a picture says
-  // against it: of a line that is unlike the lips by one deviation more than `unlike` all along.
+  // With a mouth at rest: how much the thickness of a lip varies, as a share of what is expected, and what a picture
+  // says against it: of a line that is unlike the lips by one deviation more than `unlike` all along.
   double thickness_deviation = 0.2;
+  double thickening = 0.7;  // the power of the mouth's narrowing that lips grow by: 1 = their area in front stays
   double evidence = 20;
 };
 
@@ -23,8 +24,8 @@ struct InnerLipsOptions {
 // outer point of their line is not. Throws where one of the six outer points is missing, or an inner one is there.
 // rest: these points of the shut mouth, of a head at any scale (find_rest.h); null where nobody knows. With it the gap
 // is the most likely one: the tongue, gums and teeth in the shade are no less like a lip than a lip is, but lips are
-// about as thick as at rest, each by itself (a normal distribution), and what the picture shows is weighed against
-// that.
+// about as thick as at rest, thicker in a mouth that is narrower (a W or a pout, whose lips would else count as open),
+// each by itself (a normal distribution), and what the picture shows is weighed against that.
 Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest = nullptr,
                      const InnerLipsOptions& options = {});
 

@@ -5,14 +5,16 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.inner_lips", &inner_lips, version{1},
+NODE("track.inner_lips", &inner_lips, version{2},
      doc{"Finds where the lips part, between the points of their outer edge."}, input{"image", "A frame"},
      input{"landmarks", "Its points, lip_0 to lip_11 among them"},
      input{"rest", "This node's points of the shut mouth: says how thick the lips are"},
      param("unlike", &InnerLipsOptions::unlike, range{0.1, 100}, unit{"1"},
            "Deviations from the colours of the lips from which on something is no lip"),
      param("thickness_deviation", &InnerLipsOptions::thickness_deviation, range{0.01, 10}, unit{"1"},
-           "How much a lip's thickness varies, as a share of that at rest", inert{"without a mouth at rest"}),
+           "How much a lip's thickness varies, as a share of what is expected", inert{"without a mouth at rest"}),
+     param("thickening", &InnerLipsOptions::thickening, range{0, 10}, unit{"1"},
+           "Power of the mouth's narrowing that lips grow thicker by", inert{"without a mouth at rest"}),
      param("evidence", &InnerLipsOptions::evidence, range{0, 1000}, unit{"1"}, "What a picture says against it",
            inert{"without a mouth at rest"}),
      output("landmarks", "The points, and inner_lip_1 to inner_lip_3 above, inner_lip_5 to inner_lip_7 below"));

@@ -79,7 +79,8 @@ const Registered meshik({
             {"meshik.reconstruct.weights", few_weights},
             {"meshik.blend_linear.weights", few_weights},
             {"meshik.transfer_landmarks.weights", few_weights},
-            {"meshik.transfer_landmarks.key_shapes", speaker_keys},
+            {"meshik.transfer_landmarks.key_shapes", parted_keys},
+            {"meshik.transfer_landmarks.neutral", parted_points},
             {"meshik.sculpt_keys.key_shapes", parted_keys},
             {"meshik.sculpt_keys.neutral", parted_points},
             {"meshik.transfer_landmarks.contact", contact},
@@ -98,7 +99,9 @@ const Registered meshik({
         },
     .types = {{"mesh_space", made_by("meshik.prepare", "space")}},
     .params = {{"meshik.simplify.vertices", whole(200)}},
-    .values = {{"meshik.raise_jaw.highest_share", {0.95}}, {"meshik.raise_jaw.most", {0.001}}, {"meshik.raise_jaw.rest_frames", {std::int64_t{1}}}},
+    .values = {{"meshik.raise_jaw.highest_share", {0.95}},
+               {"meshik.raise_jaw.most", {0.001}},
+               {"meshik.raise_jaw.rest_frames", {std::int64_t{1}}}},
 });
 
 }  // namespace

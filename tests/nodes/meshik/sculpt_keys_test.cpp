@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nodes/meshik/blend_linear.h"
+#include "nodes/meshik/landmark_vertices.h"
 #include "nodes/meshik/transfer_landmarks.h"
 #include "tests/nodes/meshik/landmark_rig.h"
 #include "tests/support/expect_throw_text.h"
@@ -251,14 +252,15 @@ Rig closing_rig() {
   return rig;
 }
 
+Landmarks with_inner_lips(Landmarks points, double gap_px) {
+  points.points.push_back({"inner_lip_2", 180, 199.6, true});
+  points.points.push_back({"inner_lip_6", 180, 200 + gap_px, true});
+  return points;
+}
+
 TEST(SculptKeys, BelievesWhatIsSeenBetweenTheLipsMoreThanTheirPlaces) {
   Rig rig = closing_rig();
   rig.shapes.resize(1);  // the jaw alone takes the lips apart
-  const auto with_inner_lips = [](Landmarks points, double gap_px) {
-    points.points.push_back({"inner_lip_2", 180, 199.6, true});
-    points.points.push_back({"inner_lip_6", 180, 200 + gap_px, true});
-    return points;
-  };
   const Landmarks rest = with_inner_lips(seen(speaking_rig(), 0, 0), 0);
   // The outer lips and the chin say that the mouth is open by 3 mm, between the lips there is nothing to be seen.
   const KeyShapes keys{{{"1", 1, with_inner_lips(seen(speaking_rig(), 0.2f, 0), 0)}}};
@@ -271,6 +273,40 @@ TEST(SculptKeys, BelievesWhatIsSeenBetweenTheLipsMoreThanTheirPlaces) {
     last = static_cast<double>(found.weights[0].values[0]);
   }
   EXPECT_LT(last, 0.01);
+}
+
+TEST(TransferLandmarks, PartsLipsByLittleWhereTheKeyShapesShowLittle) {
+  const Rig rig = closing_rig();
+  // Lips that are thicker than any of the rig's: the outer edges of a mouth that is open by 6 mm show 1 mm between
+  // them.
+  const Landmarks rest = with_inner_lips(seen(rig, 0, 0), 0);
+  const double px = 1 / landmark_scale_mm(rig, rest, landmark_vertices(rig, rest));
+  const KeyShapes keys{{{"1", 1, with_inner_lips(seen(rig, 0.4f, 0), px)}}};
+  const Sculpted open = sculpt(rig, {{{"1", 1, seen(rig, 0.4f, 0)}}}, seen(rig, 0, 0), {1e-9});
+  const engine::Seq<Mesh> meshes(open.meshes);
+  const auto gap_mm = [](const VertexTargets& targets) {
+    double upper = 0, lower = 0;
+    for (const VertexTarget& target : targets.targets) {
+      if (target.vertex == 62) upper = target.y_mm;
+      if (target.vertex == 66) lower = target.y_mm;
+    }
+    return upper - lower - 0.2;
+  };
+  const VertexTargets before = transfer_landmarks(rig, meshes, keys, {{1.0f}});
+  EXPECT_NEAR(gap_mm(before), 6, 0.1);
+  const VertexTargets after = transfer_landmarks(rig, meshes, keys, {{1.0f}}, nullptr, &rest);
+  EXPECT_NEAR(gap_mm(after), 1, 0.5);
+  for (std::size_t i = 0; i < before.targets.size(); ++i) {
+    if (before.targets[i].vertex == 62 || before.targets[i].vertex == 66) continue;
+    EXPECT_EQ(before.targets[i].y_mm, after.targets[i].y_mm) << i;
+  }
+  // A gap of 20 mm is taken from the key mesh.
+  const KeyShapes wide{{{"1", 1, with_inner_lips(seen(rig, 0.4f, 0), 20 * px)}}};
+  EXPECT_NEAR(gap_mm(transfer_landmarks(rig, meshes, wide, {{1.0f}}, nullptr, &rest)), 6, 0.8);
+  Landmarks fewer = rest;
+  fewer.points.pop_back();
+  EXPECT_THROW_TEXT(transfer_landmarks(rig, meshes, keys, {{1.0f}}, nullptr, &fewer),
+                    "neutral has 19 landmarks, expected 20 as the key shapes");
 }
 
 TEST(TransferLandmarks, BringsLipsThatMeetTogether) {

@@ -65,6 +65,20 @@ TEST(InnerLips, ATongueLikeALipIsToldByHowThickTheLipsAreAtRest) {
       << "that it is like a lip counts a little";
 }
 
+TEST(InnerLips, LipsOfANarrowerMouthAreThicker) {
+  const Mouth mouth{5, 5, test::lower_lip};  // a third thicker than at rest, or open
+  const Landmarks rest = shut_mouth(), outer = with_head(mouth.outer());
+  Landmarks wide = rest;
+  for (Landmark& p : wide.points)
+    if (p.name.starts_with("lip_")) p.x_px = 60 + 1.3 * (p.x_px - 60);
+  const double open_px = gap_px(track::inner_lips(mouth.image(), outer, &rest), 2);
+  EXPECT_GT(open_px, 5);
+  EXPECT_LT(gap_px(track::inner_lips(mouth.image(), outer, &wide), 2), open_px - 4);
+  track::InnerLipsOptions options;
+  options.thickening = 0;
+  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &wide, options), 2), open_px);
+}
+
 TEST(InnerLips, WhatIsSeenCountsMoreThanTheThicknessAtRest) {
   const Mouth mouth{6, 9, test::tooth};  // the upper lip is 19 px thick, the lower 16
   const Landmarks rest = shut_mouth();
