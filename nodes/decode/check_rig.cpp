@@ -181,7 +181,7 @@ std::string about(const Rig& rig) {
               ? "no upper teeth were found: name a mesh or a material \"teeth\" where there are some\n"
               : "upper teeth were found\n";
   if (rig.landmarks68.size() != 68)
-    text += "its 68 landmarks are not known: speech moves it, points of a video do not\n";
+    text += "its 68 landmarks are not known: for points of a video they are found by its shapes, to a few mm\n";
   return text + about_pose(rig);
 }
 

@@ -9,7 +9,7 @@ namespace face::meshik {
 std::vector<LandmarkVertex> landmark_vertices(const Rig& rig, const Landmarks& landmarks) {
   check(rig.landmarks68.size() == 68, "the rig has ", rig.landmarks68.size(),
         " landmarks, expected 68, as the embedded head, ICT-FaceKit folders and GLB files that were made of these "
-        "have; points of a video move no other head");
+        "have; transfer.mark_landmarks finds those of another head");
   const auto place = [](const std::string& name) -> int {
     for (const auto& [known, number] : clip_points)
       if (name == known) return static_cast<int>(number);

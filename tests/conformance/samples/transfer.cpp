@@ -171,6 +171,17 @@ const Maker phones = made([](int variant) {
   return face::Phones{{{"SIL", 0, until, "", 0}, {"AE", until, 1, "a", 0}}, 1, true};
 });
 
+// A head without landmarks, each variant of another size.
+const Maker unmarked_head = changed<face::Rig>(made_by("phantom.make_head", "head"), [](face::Rig& rig, int variant) {
+  rig.landmarks68.clear();
+  for (Vec3f& p : rig.neutral.points_mm)
+    for (float& x : p) x *= 1 + 0.1f * as_float(variant);
+});
+// Each variant has its landmarks elsewhere.
+const Maker marked_head = changed<face::Rig>(made_by("phantom.make_head", "head"), [](face::Rig& rig, int variant) {
+  for (int k = 0; k < variant; ++k) rig.landmarks68[8] = rig.landmarks68[static_cast<std::size_t>(30 + k % 20)];
+});
+
 const Maker frame = made([](int variant) { return std::to_string(variant); });
 
 const Registered transfer({
@@ -218,6 +229,8 @@ const Registered transfer({
             {"transfer.mark_lips.rig", heads},
             {"transfer.mark_lips.mesh", mesh},
             {"transfer.line_mouth.rig", heads},
+            {"transfer.mark_landmarks.rig", unmarked_head},
+            {"transfer.mark_landmarks.reference", marked_head},
             {"transfer.line_mouth.mesh", mesh},
             {"transfer.judge_lips.places", about_the_lips((test::sheet_upper_lip - 8) * triangles_per_row)},
             {"transfer.judge_lips.truth", about_the_lips((test::sheet_upper_lip - 10) * triangles_per_row)},

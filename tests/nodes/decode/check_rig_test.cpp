@@ -56,7 +56,7 @@ TEST(CheckRig, ProposesNamesAndTheProposalServes) {
   const CheckRigResult second = check_rig(folder, &filled);
   EXPECT_TRUE(second.sound) << second.text;
   EXPECT_NE(second.text.find("it can be used as it is\n"), std::string::npos);
-  EXPECT_NE(second.text.find("speech moves it, points of a video do not\n"), std::string::npos);
+  EXPECT_NE(second.text.find("for points of a video they are found by its shapes, to a few mm\n"), std::string::npos);
   EXPECT_NE(second.text.find("100 mm wide, 200 mm high"), std::string::npos) << second.text;
   EXPECT_EQ(read_rig(folder, &filled).shapes[arkit_index("jawOpen")].vertices.size(), 1u);
 }

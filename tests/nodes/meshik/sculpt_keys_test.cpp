@@ -193,7 +193,7 @@ TEST(SculptKeys, RejectsARigOrLandmarksThatDoNotFit) {
   rig.landmarks68.clear();
   EXPECT_THROW_TEXT(sculpt(rig, {}, seen(speaking_rig(), 0, 0)),
                     "the rig has 0 landmarks, expected 68, as the embedded head, ICT-FaceKit folders and GLB files "
-                    "that were made of these have; points of a video move no other head");
+                    "that were made of these have; transfer.mark_landmarks finds those of another head");
 }
 
 TEST(TransferLandmarks, BlendsTheLandmarksOfTheKeyMeshes) {

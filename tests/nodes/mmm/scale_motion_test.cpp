@@ -121,7 +121,7 @@ TEST(ScaleMotion, HoldsStillVerticesBesideThePoints) {
 TEST(ScaleMotion, RejectsARigWithoutLandmarks) {
   EXPECT_THROW_TEXT(scale_motion(Rig{}, points(), points(), nullptr),
                     "the rig has 0 landmarks, expected 68, as the embedded head, ICT-FaceKit folders and GLB files "
-                    "that were made of these have; points of a video move no other head");
+                    "that were made of these have; transfer.mark_landmarks finds those of another head");
 }
 
 TEST(ExampleMeshes, ArePosesOfTheRig) {

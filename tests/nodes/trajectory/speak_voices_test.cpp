@@ -19,6 +19,7 @@
 #include "nodes/types/arkit.h"
 #include "tests/nodes/trajectory/judge_speech.h"
 #include "tests/support/data.h"
+#include "tests/support/folder_at.h"
 
 namespace face::trajectory {
 namespace {
@@ -41,14 +42,6 @@ constexpr std::array sentences = {"Peter Piper picked a peck of pickled peppers 
                                   "Beautiful purple plums, ripe melons, and warm apple pie.",
                                   "Jump back, climb up, and grab the rope before the boat bumps.",
                                   "Mom, may Emma come home from the museum on Monday morning?"};
-
-engine::File ict_folder(const std::string& path) {
-  std::vector<engine::File::Entry> entries;
-  for (const auto& file : std::filesystem::directory_iterator(path))
-    entries.push_back({file.path().filename().string(), file.path().string()});
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  return engine::File::folder(path, std::move(entries));
-}
 
 void expect_good_lips(const Rig& rig) {
   const Visemes visemes =
@@ -97,7 +90,7 @@ void expect_good_lips(const Rig& rig) {
 
 TEST(SpeakVoices, LipsOfTheIctHeadMeetInEveryBilabial) {
   DATA_FILE(path, "ict-face/FaceXModel");
-  expect_good_lips(decode::read_rig(ict_folder(path), nullptr));
+  expect_good_lips(decode::read_rig(test::folder_at(path), nullptr));
 }
 
 TEST(SpeakVoices, LipsOfTheEmbeddedHeadMeetInEveryBilabial) { expect_good_lips(phantom::make_head()); }

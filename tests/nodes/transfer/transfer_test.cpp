@@ -16,6 +16,7 @@
 #include "tests/nodes/transfer/speaker.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
+#include "tests/support/folder_at.h"
 
 namespace {
 
@@ -29,15 +30,6 @@ double quantile(std::vector<double> values, double q) {
 
 double distance(const Vec3f& a, const Vec3f& b) {
   return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
-}
-
-engine::File folder_at(const std::string& path) {
-  std::vector<engine::File::Entry> entries;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-    if (entry.is_regular_file())
-      entries.push_back({std::filesystem::relative(entry.path(), path).string(), entry.path().string()});
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  return engine::File::folder(path, entries);
 }
 
 struct Found {
@@ -112,7 +104,7 @@ TEST(Transfer, FindsEyesOnEyesAndBrowsOnBrows) {
 
 TEST(Transfer, CarriesAnIctSpeakerToTenOtherHeads) {
   DATA_FILE(path, "ict-face/FaceXModel");
-  const engine::File folder = folder_at(path);
+  const engine::File folder = test::folder_at(path);
   const Rig rig = decode::read_rig(folder, nullptr);
   const ShapeSet modes = decode::read_identity_modes(folder);
   const MorphableModel model =
