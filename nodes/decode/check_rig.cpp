@@ -147,8 +147,9 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-// How the head stands, by what its jaw does: a head that lies, or looks away, is shown so by every camera.
-std::string about_pose(const Rig& rig) {
+// What is wrong with how the head stands, by what its jaw does: a head that lies, or looks away, is shown so by every
+// camera. "" where it stands.
+std::string why_not_upright(const Rig& rig) {
   const Shape& jaw = rig.shapes[arkit_index("jawOpen")];
   Vec3f way = {0, 0, 0};
   double front = 0, middle = 0;
@@ -161,20 +162,35 @@ std::string about_pose(const Rig& rig) {
   const float length = std::hypot(way[0], way[1], way[2]);
   if (length > 0 && -way[1] < 0.5f * length)
     return "jawOpen does not move the jaw down: is y up in the file? Turn the head there, so that it stands and looks "
-           "to +z\n";
+           "to +z";
   if (length > 0 && front < middle - 10)
-    return "what jawOpen moves lies behind the middle of the head: does it look to -z? Turn it round in the file\n";
+    return "what jawOpen moves lies behind the middle of the head: does it look to -z? Turn it round in the file";
   return "";
 }
 
-std::string about(const Rig& rig) {
+// Across, upwards and from front to back, mm.
+Vec3f extent_of(const Rig& rig) {
   const std::vector<Vec3f>& points = rig.neutral.points_mm;
   Vec3f low = points.empty() ? Vec3f{} : points[0], high = low;
   for (const Vec3f& p : points)
     for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], p[c]), high[c] = std::max(high[c], p[c]);
-  std::string text = message(points.size(), " vertices, ", rig.neutral.polygon_count(), " polygons; ",
-                             std::lround(high[0] - low[0]), " mm wide, ", std::lround(high[1] - low[1]), " mm high, ",
-                             std::lround(high[2] - low[2]), " mm deep: where that is wrong, set decode.rig's unit\n");
+  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
+// Closures and contacts are judged in mm.
+std::string why_too_small(const Rig& rig) {
+  constexpr float least_mm = 60;  // a narrow child's face alone
+  const float wide_mm = extent_of(rig)[0];
+  if (wide_mm >= least_mm) return "";
+  return message("it is ", std::lround(wide_mm), " mm wide, expected at least ", std::lround(least_mm),
+                 ": scale it in the file, or set decode.rig's unit");
+}
+
+std::string about(const Rig& rig) {
+  const Vec3f extent = extent_of(rig);
+  std::string text = message(rig.neutral.points_mm.size(), " vertices, ", rig.neutral.polygon_count(), " polygons; ",
+                             std::lround(extent[0]), " mm wide, ", std::lround(extent[1]), " mm high, ",
+                             std::lround(extent[2]), " mm deep: where that is wrong, set decode.rig's unit\n");
   text += rig.inner_lips.empty() ? "the lips were not found: jawOpen does not part them; closures cannot be judged\n"
                                  : message("lips: ", rig.inner_lips.size(), " pairs of vertices that meet\n");
   text += rig.upper_teeth.empty()
@@ -182,7 +198,7 @@ std::string about(const Rig& rig) {
               : "upper teeth were found\n";
   if (rig.landmarks68.size() != 68)
     text += "its 68 landmarks are not known: for points of a video they are found by its shapes, to a few mm\n";
-  return text + about_pose(rig);
+  return text;
 }
 
 }  // namespace
@@ -274,8 +290,8 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
                            " none of ARKit's: names.json proposes ", guesses, " and leaves ", blanks,
                            " empty (those stay shapes of the rig's own); look it over, fill it in, and give it with "
                            "--set names=names.json\n");
-  if (const std::string why = why_unfit(title, contents); !why.empty()) {
-    result.text += "as it is it cannot be used: " + why + "\n";
+  if (const std::string unfit = why_unfit(title, contents); !unfit.empty()) {
+    result.text += "as it is it cannot be used: " + unfit + "\n";
     return finish();
   }
   result.text += about(*contents.rig);
@@ -286,8 +302,10 @@ CheckRigResult check_rig(const engine::File& file, const engine::File* names) {
               "and WebP can be read)\n"
             : "its textures stay in a GLB that is made of it; pictures and films show their colours at the "
               "vertices\n";
-  result.sound = true;
-  result.text += "it can be used as it is\n";
+  std::string why = why_not_upright(*contents.rig);
+  if (why.empty()) why = why_too_small(*contents.rig);
+  result.sound = why.empty();
+  result.text += result.sound ? "it can be used as it is\n" : "as it is it cannot be used: " + why + "\n";
   return finish();
 }
 
