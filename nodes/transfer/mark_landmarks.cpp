@@ -42,7 +42,7 @@ double largest_offset(const Shape& shape) {
   return largest;
 }
 
-// A head in front: its skin, that is what it shows, and how it moves.
+// A head, where its vertices look, and what its jaw takes along.
 struct Head {
   const Rig& rig;
   std::vector<Vec3f> normals;
@@ -165,10 +165,10 @@ Rig mark_landmarks(const Rig& rig, const Rig& reference) {
   check(rig.inner_lips.size() >= 3, "the rig's landmarks cannot be found: it has ", rig.inner_lips.size(),
         " pairs of inner lips, expected at least 3 that jawOpen parts");
   const Head head = head_of(rig), other = head_of(reference);
-  const std::vector<LipPair> pairs(rig.inner_lips.begin(), rig.inner_lips.end());
+  const std::vector<LipPair>& pairs = rig.inner_lips;
   const Mouth mouth = mouth_of(head, pairs), other_mouth = mouth_of(other, landmark_pairs(reference));
-  check(mouth.width_mm > 0 && other_mouth.width_mm > 0, "the rig's landmarks cannot be found: its inner lips lie in ",
-        "one place");
+  check(mouth.width_mm > 0 && other_mouth.width_mm > 0,
+        "the rig's landmarks cannot be found: its inner lips lie above each other");
   const std::vector<Vector3d> from = tell_places(other, other_mouth), to = tell_places(head, mouth);
   const Laying lay = laying_of(from, to);
   double squares = 0;
@@ -217,7 +217,7 @@ Rig mark_landmarks(const Rig& rig, const Rig& reference) {
           " cannot be found: no vertex looks as it does");
     marked.landmarks68.push_back(best);
   }
-  // From the right corner to the left one, the pairs nearest to where the reference has its own.
+  // From right to left: the outermost pairs and the one nearest to the middle.
   for (std::size_t k = 0; k < 3; ++k) {
     const double wanted = mouth.middle.x() + (static_cast<double>(k) - 1) * mouth.width_mm / 2;
     const LipPair& pair = *std::min_element(pairs.begin(), pairs.end(), [&](const LipPair& a, const LipPair& b) {
