@@ -10,7 +10,7 @@ namespace face::decode {
 
 struct CheckRigResult {
   std::string text;    // what was found, a finding per line
-  bool sound = false;  // read_rig takes it as it is
+  bool sound = false;  // read_rig takes it as it is, and it stands, looks to +z and is as large as a face
   engine::File names;  // names.json to fill in, for read_rig
 };
 

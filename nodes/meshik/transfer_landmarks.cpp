@@ -34,6 +34,12 @@ Offsets offsets_of(const Rig& rig, const Mesh& key, const std::vector<VertexTarg
   return offsets;
 }
 
+// Takes two lips apart, each half of the way.
+void part(double& above_mm, double& below_mm, double by_mm) {
+  above_mm += by_mm / 2;
+  below_mm -= by_mm / 2;
+}
+
 // How far the speaker's inner lips are apart in the key shapes, beyond rest.
 class SeenGaps {
  public:
@@ -49,14 +55,12 @@ class SeenGaps {
 
   // The offsets of key mesh k with lips that are as far apart as is seen, as far as that is to be trusted, each going
   // half of the way.
-  void part(std::size_t k, Offsets& offsets) const {
+  void apply(std::size_t k, Offsets& offsets) const {
     for (const Pair& pair : pairs_) {
       const double seen_mm = mm_per_px_ * (gap_px(key_shapes_.shapes[k].landmarks, pair) - gap_px(neutral_, pair));
       double &above = offsets[pair.above][1], &below = offsets[pair.below][1];
       const double share = 1 / (1 + std::pow(seen_mm / clear_gap_mm, 2));
-      const double by_mm = share * (seen_mm - (above - below));
-      above += by_mm / 2;
-      below -= by_mm / 2;
+      part(above, below, share * (seen_mm - (above - below)));
     }
   }
 
@@ -84,7 +88,7 @@ void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& w
     check(key->points_mm.size() == rig.neutral.points_mm.size(), "key mesh ", key_meshes.id(k), " has ",
           key->points_mm.size(), " vertices, expected ", rig.neutral.points_mm.size());
     Offsets offsets = offsets_of(rig, *key, targets);
-    if (gaps != nullptr) gaps->part(k, offsets);
+    if (gaps != nullptr) gaps->apply(k, offsets);
     const auto weight = static_cast<double>(weights.values[k]);
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].x_mm += weight * offsets[i][0];
@@ -137,8 +141,7 @@ VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_me
     const auto gap_at_rest =
         static_cast<double>(rig.neutral.points_mm[above.vertex][1] - rig.neutral.points_mm[below.vertex][1]);
     const double open_mm = above.y_mm - below.y_mm - gap_at_rest;
-    above.y_mm -= *contact * open_mm / 2;
-    below.y_mm += *contact * open_mm / 2;
+    part(above.y_mm, below.y_mm, -*contact * open_mm);
   }
   return targets;
 }

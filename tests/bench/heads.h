@@ -3,7 +3,6 @@
 #pragma once
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "nodes/decode/read_rig.h"
 #include "nodes/phantom/make_head.h"
 #include "tests/bench/material.h"
+#include "tests/support/folder_file.h"
 
 namespace bench {
 
@@ -22,12 +22,7 @@ inline std::optional<face::Rig> head(benchmark::State& state) {
     state.SkipWithError("needs the ICT-FaceKit folder of the real material");
     return {};
   }
-  std::vector<engine::File::Entry> entries;
-  for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
-    if (file.is_regular_file())
-      entries.push_back({std::filesystem::relative(file.path(), folder).generic_string(), file.path().string()});
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  return face::decode::read_rig(engine::File::folder(folder.string(), entries), nullptr);
+  return face::decode::read_rig(test::folder_file(folder), nullptr);
 }
 
 }  // namespace bench

@@ -7,7 +7,7 @@
 
 #include "nodes/decode/read_rig.h"
 #include "nodes/types/arkit.h"
-#include "tests/nodes/decode/rig_folder.h"
+#include "tests/support/folder_file.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/expect_throw_text.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nodes/decode/read_rig.h"
-#include "tests/nodes/decode/rig_folder.h"
+#include "tests/support/folder_file.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"

@@ -10,7 +10,7 @@
 #include "nodes/base/pose.h"
 #include "nodes/decode/rig_shapes.h"
 #include "nodes/types/arkit.h"
-#include "tests/nodes/decode/rig_folder.h"
+#include "tests/support/folder_file.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"

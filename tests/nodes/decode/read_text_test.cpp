@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/decode/read_text.h"
 
-#include "tests/nodes/decode/rig_folder.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/expect_throw_text.h"
 

@@ -14,7 +14,7 @@
 #include "nodes/decode/read_video.h"
 #include "nodes/model/fit_image.h"
 #include "nodes/model/from_rig.h"
-#include "tests/nodes/decode/rig_folder.h"
+#include "tests/support/folder_file.h"
 #include "tests/support/data.h"
 
 namespace face::model {

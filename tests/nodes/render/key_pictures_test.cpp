@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,6 +19,7 @@
 #include "nodes/render/render_head.h"
 #include "nodes/types/arkit.h"
 #include "tests/support/data.h"
+#include "tests/support/folder_file.h"
 
 namespace face::render {
 namespace {
@@ -141,11 +141,7 @@ Pose lips_closed(const Rig& rig) {
 }
 
 std::unique_ptr<Rig> ict_head(const std::string& folder) {
-  std::vector<engine::File::Entry> entries;
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    entries.push_back({file.path().filename().string(), file.path().string()});
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  return std::make_unique<Rig>(decode::read_rig(engine::File::folder(folder, entries), nullptr));
+  return std::make_unique<Rig>(decode::read_rig(test::folder_file(folder), nullptr));
 }
 
 class KeyPictures : public testing::TestWithParam<const char*> {

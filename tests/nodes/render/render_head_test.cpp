@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <thread>
 
 #include "nodes/base/check.h"
@@ -16,6 +15,7 @@
 #include "tests/nodes/render/test_ball.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
+#include "tests/support/folder_file.h"
 
 namespace face::render {
 namespace {
@@ -223,11 +223,7 @@ TEST(RenderHead, ShowsTheEmbeddedHeadAsAFace) {
 
 TEST(RenderHead, ShowsTheIctHeadAsAFace) {
   DATA_FILE(folder, "ict-face/FaceXModel");
-  std::vector<engine::File::Entry> entries;
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    entries.push_back({file.path().filename().string(), file.path().string()});
-  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  const Rig rig = decode::read_rig(engine::File::folder(folder, entries), nullptr);
+  const Rig rig = decode::read_rig(test::folder_file(folder), nullptr);
   expect_an_open_mouth(rig);
   Vec3f forehead = rig.neutral.points_mm[rig.landmarks68[27]];
   forehead[1] += 35;

@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -19,7 +18,7 @@
 #include "nodes/types/arkit.h"
 #include "tests/nodes/trajectory/judge_speech.h"
 #include "tests/support/data.h"
-#include "tests/support/folder_at.h"
+#include "tests/support/folder_file.h"
 
 namespace face::trajectory {
 namespace {
@@ -90,7 +89,7 @@ void expect_good_lips(const Rig& rig) {
 
 TEST(SpeakVoices, LipsOfTheIctHeadMeetInEveryBilabial) {
   DATA_FILE(path, "ict-face/FaceXModel");
-  expect_good_lips(decode::read_rig(test::folder_at(path), nullptr));
+  expect_good_lips(decode::read_rig(test::folder_file(path), nullptr));
 }
 
 TEST(SpeakVoices, LipsOfTheEmbeddedHeadMeetInEveryBilabial) { expect_good_lips(phantom::make_head()); }

@@ -12,7 +12,7 @@
 #include "nodes/types/arkit.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
-#include "tests/support/folder_at.h"
+#include "tests/support/folder_file.h"
 
 namespace face::transfer {
 namespace {
@@ -73,7 +73,7 @@ TEST(MarkLandmarks, FindsThoseOfANarrowHeadWithAWideMouth) {
 
 TEST(MarkLandmarks, FindsThoseOfIctFaceKitToAFewMillimetres) {
   DATA_FILE(path, "ict-face/FaceXModel");
-  const Rig truth = decode::read_rig(test::folder_at(path), nullptr);
+  const Rig truth = decode::read_rig(test::folder_file(path), nullptr);
   const Rig found = mark_landmarks(unmarked(truth), phantom::make_head());
   EXPECT_LT(mean_error_mm(found, truth), 4.5);
   for (const std::size_t inner : {61u, 62u, 63u, 65u, 66u, 67u})

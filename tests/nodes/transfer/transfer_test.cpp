@@ -16,7 +16,7 @@
 #include "tests/nodes/transfer/speaker.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
-#include "tests/support/folder_at.h"
+#include "tests/support/folder_file.h"
 
 namespace {
 
@@ -104,7 +104,7 @@ TEST(Transfer, FindsEyesOnEyesAndBrowsOnBrows) {
 
 TEST(Transfer, CarriesAnIctSpeakerToTenOtherHeads) {
   DATA_FILE(path, "ict-face/FaceXModel");
-  const engine::File folder = test::folder_at(path);
+  const engine::File folder = test::folder_file(path);
   const Rig rig = decode::read_rig(folder, nullptr);
   const ShapeSet modes = decode::read_identity_modes(folder);
   const MorphableModel model =
