@@ -102,6 +102,14 @@ std::vector<NodeInfo> make_structural_nodes() {
   where.outputs = {output("kept", "", 1, "The elements kept, with their ids")};
   nodes.push_back(where);
 
+  NodeInfo pick = node(Structural::pick, "seq.pick", "One element, by an id that a node finds or a parameter gives.");
+  pick.inputs = {input("sequence", "", 1, "A sequence"), input("id", "text", 0, "Id of the element, as a node found it")};
+  pick.inputs[1].optional = true;
+  pick.params = {param("element", ParamKind::string, false, std::string(), "", 0, 0,
+                       "Id of the element, where no node gives one; empty = the first")};
+  pick.outputs = {output("picked", "", 0, "The element")};
+  nodes.push_back(pick);
+
   NodeInfo flatten =
       node(Structural::flatten, "seq.flatten", "The elements of all inner sequences in one; ids join with a dot.");
   flatten.inputs = {input("sequences", "", 2, "A sequence of sequences")};

@@ -44,7 +44,7 @@ struct OutputInfo {
 };
 
 // How the engine carries out a node that only rearranges. `none` = a plugin's function.
-enum class Structural { none, list_files, select, slice, every, where, flatten, merge, ids, first };
+enum class Structural { none, list_files, select, slice, every, where, pick, flatten, merge, ids, first };
 
 // Everything about a node but its code: what a plugin's node list holds, readable without loading it.
 struct NodeInfo {
@@ -65,8 +65,8 @@ struct NodeInfo {
   int find_output(std::string_view name) const;
 };
 
-// The engine's own nodes: files.list, seq.select, seq.slice, seq.every, seq.where, seq.flatten, seq.merge, seq.ids,
-// first.
+// The engine's own nodes: files.list, seq.select, seq.slice, seq.every, seq.where, seq.pick, seq.flatten, seq.merge,
+// seq.ids, first.
 const std::vector<NodeInfo>& structural_nodes();
 
 // "3", "0.5", "[1, 2]", "\"text\"": as JSON.

@@ -31,6 +31,14 @@ bool matches(std::string_view pattern, std::string_view name) {
   return p == pattern.size();
 }
 
+// The identity of the value that a node would have made of the same text.
+Digest identity_of_text(const Value& text) {
+  Bytes bytes;
+  ByteWriter writer(bytes);
+  text.type().encode(text.data().get(), writer);
+  return digest_of(bytes);
+}
+
 const Digest& identity_of_true() {
   static const Digest digest = digest_of(Bytes{1});
   return digest;
@@ -51,12 +59,20 @@ void Rearrangement::start() {
   const Structural kind = session_.node(node_).info->structural;
   for (auto& port : inputs_)
     for (Tree* tree : port) {
-      if (kind == Structural::list_files || kind == Structural::merge || kind == Structural::where) {
-        if (!session_.watch_settling(tree, this)) update(tree);
-      } else {
+      const bool as_it_grows = kind != Structural::list_files && kind != Structural::merge &&
+                               kind != Structural::where && !(kind == Structural::pick && &port == &inputs_[1]);
+      if (as_it_grows)
         session_.watch_growth(tree, this);
-      }
+      else if (!session_.watch_settling(tree, this))
+        update(tree);
     }
+}
+
+void Rearrangement::fail(const std::string& why) {
+  done_ = true;
+  session_.note_failure(session_.node(node_).id + ": " + why);
+  ++session_.counts_.failed;
+  session_.fail_tree(output_);
 }
 
 void Rearrangement::update(Tree*) {
@@ -77,6 +93,8 @@ void Rearrangement::update(Tree*) {
       return flatten();
     case Structural::merge:
       return merge();
+    case Structural::pick:
+      return pick();
     default:
       return pass_through();
   }
@@ -85,11 +103,6 @@ void Rearrangement::update(Tree*) {
 void Rearrangement::list_files() {
   const GraphNode& graph_node = session_.node(node_);
   done_ = true;
-  const auto fail = [&](const std::string& text) {
-    session_.note_failure(graph_node.id + ": " + text);
-    ++session_.counts_.failed;
-    session_.fail_tree(output_);
-  };
   Tree* folder = inputs_[0][0];
   if (!folder->source) return fail("its input 'folder' is made by a node, expected a folder of yours");
   const File held = folder->value.as<File>();
@@ -152,22 +165,15 @@ void Rearrangement::pass_through() {
     const Tree* flags = inputs_[1][0];
     if (!from->settled || !flags->settled) return;
     if (flags->broken || (!flags->sequence->children.empty() && follow(flags->sequence->children[0])->cheap)) {
+      if (!flags->broken) return fail("its flags come from a cheap node, whose values are not kept");
       done_ = true;
-      if (!flags->broken) {
-        session_.note_failure(graph_node.id + ": its flags come from a cheap node, whose values are not kept");
-        ++session_.counts_.failed;
-      }
       return session_.fail_tree(output_);
     }
     if (held.ids != flags->sequence->ids) {
       const auto odd =
           std::mismatch(held.ids.begin(), held.ids.end(), flags->sequence->ids.begin(), flags->sequence->ids.end());
-      done_ = true;
-      session_.note_failure(graph_node.id +
-                            ": inputs 'sequence' and 'flags' have different ids: the first odd one is '" +
-                            (odd.first != held.ids.end() ? *odd.first : *odd.second) + "'");
-      ++session_.counts_.failed;
-      return session_.fail_tree(output_);
+      return fail("inputs 'sequence' and 'flags' have different ids: the first odd one is '" +
+                  (odd.first != held.ids.end() ? *odd.first : *odd.second) + "'");
     }
   }
   for (; next_ < held.children.size(); ++next_) {
@@ -178,10 +184,7 @@ void Rearrangement::pass_through() {
       child->state = Tree::State::leaf;
       child->source = true;
       child->value = Value::of(held.ids[next_]);
-      Bytes bytes;
-      ByteWriter writer(bytes);
-      child->value.type().encode(child->value.data().get(), writer);
-      child->identity = digest_of(bytes);
+      child->identity = identity_of_text(child->value);
       child->has_identity = true;
       child->settled = true;
     }
@@ -193,6 +196,38 @@ void Rearrangement::pass_through() {
   if (from->sequence->cut_off) output_->sequence->cut_off = true;
   if (from->unknown) output_->unknown = true;
   session_.complete(output_);
+}
+
+// An id that a node found is known by its identity, as flags are: its value need not be at hand.
+void Rearrangement::pick() {
+  Tree* from = inputs_[0][0];
+  Tree* found = inputs_[1].empty() ? nullptr : inputs_[1][0];
+  if (found && !found->settled) return;
+  if (found && found->cheap) return fail("its id comes from a cheap node, whose values are not kept");
+  if (found && (found->unknown || found->state == Tree::State::failed)) {
+    done_ = true;
+    return session_.set_forward(output_, found);  // a plan knows as little of the element as of its id
+  }
+  const Tree::Sequence& held = *from->sequence;
+  const std::string& given = std::get<std::string>(session_.node(node_).params[0]);
+  const auto is_meant = [&](const std::string& id) {
+    if (found) return identity_of_text(Value::of(id)) == found->identity;
+    return given.empty() || id == canonical_id(given);
+  };
+  while (next_ < held.ids.size() && !is_meant(held.ids[next_])) ++next_;
+  if (next_ < held.ids.size()) {
+    done_ = true;
+    return session_.set_forward(output_, held.children[next_]);
+  }
+  if (!held.complete) return;
+  if (from->unknown || from->broken) {
+    done_ = true;
+    output_->unknown = from->unknown;
+    return session_.fail_tree(output_);
+  }
+  if (held.ids.empty()) return fail("its sequence has no elements, expected at least 1");
+  fail((found ? "its input 'id' names no element" : "there is no element '" + given + "'") + "; the sequence has " +
+       std::to_string(held.ids.size()) + " elements, '" + held.ids.front() + "' to '" + held.ids.back() + "'");
 }
 
 void Rearrangement::flatten() {
@@ -247,12 +282,8 @@ void Rearrangement::merge() {
   std::stable_sort(elements.begin(), elements.end(),
                    [](const Element& a, const Element& b) { return id_before(a.id, b.id); });
   for (std::size_t i = 1; i < elements.size(); ++i)
-    if (elements[i].id == elements[i - 1].id) {
-      session_.note_failure(session_.node(node_).id + ": two of its sequences have an element '" + elements[i].id +
-                            "'");
-      ++session_.counts_.failed;
-      return session_.fail_tree(output_);
-    }
+    if (elements[i].id == elements[i - 1].id)
+      return fail("two of its sequences have an element '" + elements[i].id + "'");
   for (const Element& element : elements) session_.add_child(output_, element.id, element.tree);
   output_->broken |= broken;
   output_->unknown |= unknown;

@@ -127,9 +127,11 @@ class Rearrangement final : public Watcher {
  private:
   void list_files();
   void pass_through();  // select, slice, every, where, ids
+  void pick();
   void flatten();
   void merge();
   bool keeps(std::size_t index, const std::string& id);
+  void fail(const std::string& why);
 
   Session& session_;
   int node_;

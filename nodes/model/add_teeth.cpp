@@ -8,7 +8,6 @@
 #include "nodes/base/check.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/match_cylinder.h"
-#include "nodes/model/pick_shape.h"
 #include "nodes/model/scan_surface.h"
 #include "nodes/model/skin_modes.h"
 
@@ -20,6 +19,15 @@ constexpr Vec3f throat_colour = {0.16f, 0.03f, 0.03f};
 constexpr float teeth_height_mm = 8;
 constexpr int lip_shadow_px = 5;  // a column's teeth begin at most so far from the lip
 constexpr int gap_px = 2;         // so many pixels that are no teeth end a column's teeth
+
+// Position of the element with an id; empty = the first. Throws, with `name`, where there is none.
+template <class T>
+std::size_t index_of(const engine::Seq<T>& all, const std::string& id, const char* name) {
+  check(!all.empty(), name, " is empty, expected at least 1 element");
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (id.empty() || all.id(i) == id) return i;
+  fail(name, " has no element \"", id, "\"; the first is \"", all.id(0), "\"");
+}
 
 // Pixels between the lips.
 cv::Mat between_lips(const CylinderScan& scan, const MeshPoints& shape, const std::vector<std::uint32_t>& loop) {
@@ -231,7 +239,7 @@ MorphableModel add_teeth(const MorphableModel& surface, const engine::Seq<Cylind
   for (const bool upper : {true, false}) {
     const std::string& id = upper ? options.upper : options.lower;
     const auto scan = scans.at(index_of(scans, id, "scans"));
-    const MeshPoints shape = pick_shape(shapes, {id});
+    const MeshPoints shape = *shapes.at(index_of(shapes, id, "shapes"));
     check_cylinder(*scan, "scan");
     check(shape.points_mm.size() == skin, "shape has ", shape.points_mm.size(), " vertices, the surface's skin has ",
           skin);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "nodes/model/mean_shape.h"
+
 #include "engine/node.h"
-#include "nodes/model/pick_shape.h"
 using namespace engine::declare;
 using namespace face::model;
 

@@ -27,7 +27,6 @@ const Registered align({
             {"align.common_cover.covers", grey_picture},
             {"align.choose_reference.interiors", disc},
             {"align.link_markers.reference", linked},
-            {"align.pick_scan.frame", made([](int variant) { return std::to_string(variant); })},
             {"align.orient.reference_markers", scattered(another("landmarks", 0), 0.1)},
             {"align.crop.mask", made_by("align.cover", "mask")},
         },

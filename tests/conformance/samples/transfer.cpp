@@ -182,8 +182,6 @@ const Maker marked_head = changed<face::Rig>(made_by("phantom.make_head", "head"
   for (int k = 0; k < variant; ++k) rig.landmarks68[8] = rig.landmarks68[static_cast<std::size_t>(30 + k % 20)];
 });
 
-const Maker frame = made([](int variant) { return std::to_string(variant); });
-
 const Registered transfer({
     .inputs =
         {
@@ -235,7 +233,6 @@ const Registered transfer({
             {"transfer.judge_lips.places", about_the_lips((test::sheet_upper_lip - 8) * triangles_per_row)},
             {"transfer.judge_lips.truth", about_the_lips((test::sheet_upper_lip - 10) * triangles_per_row)},
             {"transfer.judge_lips.head", heads},
-            {"transfer.pick_truth.frame", frame},
         },
     .values = {{"transfer.rest_shape.label", {text("AE")}}},
 });

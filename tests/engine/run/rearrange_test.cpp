@@ -74,6 +74,45 @@ TEST_F(Rearranging, PickingWhatIsNotThereSaysWhatIs) {
   EXPECT_EQ(run(g).failures,
             std::vector<std::string>{"files[7]: there is no element '7'; the sequence has 3 elements, '1' to '3'"});
 }
+TEST_F(Rearranging, PickTakesTheElementThatAParameterNamesElseTheFirst) {
+  const auto picked = [&](const std::string& params) {
+    return joined(R"("one": {"node": "seq.pick", "inputs": {"sequence": "texts"})" + params + R"(},
+"copies": {"node": "toy.repeat", "inputs": {"text": "one"}, "params": {"times": 2}},)",
+                  "copies");
+  };
+  EXPECT_EQ(picked(R"(, "params": {"element": "04"})"), "frame 40\nframe 41");
+  EXPECT_EQ(picked(""), "frame 10\nframe 11");
+}
+TEST_F(Rearranging, PickTakesTheElementsThatNodesFind) {
+  EXPECT_EQ(joined(R"("names": {"node": "seq.ids", "inputs": {"sequence": "texts"}},
+"two": {"node": "seq.slice", "inputs": {"sequence": "names"}, "params": {"begin": 3, "end": 5}},
+"those": {"node": "seq.pick", "inputs": {"sequence": "texts", "id": "two"}},)",
+                   "those"),
+            "frame 4\nframe 5");
+}
+TEST_F(Rearranging, PickedElementsFollowTheIdThatANodeMakes) {
+  write_frames(5);
+  write("frames/choice.txt", "3");
+  const auto g =
+      graph(R"("files": {"node": "files.list", "inputs": {"folder": "${folder}"}, "params": {"pattern": "?.txt"}},
+"texts": {"node": "toy.read_text", "inputs": {"file": "files"}},
+"choice": {"node": "files.list", "inputs": {"folder": "${folder}"}, "params": {"pattern": "choice.txt"}},
+"found": {"node": "toy.read_text", "inputs": {"file": "choice[choice]"}},
+"one": {"node": "seq.pick", "inputs": {"sequence": "texts", "id": "found"}},
+"all": {"node": "toy.write_text", "inputs": {"text": "one"}})",
+            R"("all.txt": "all")");
+  const engine::Plan plan = engine::plan_graph(g, plugins_, *store_);
+  EXPECT_EQ(plan.may_run, 1u);
+  EXPECT_EQ(plan.tasks.back().depends_on, "found");
+  EXPECT_EQ(run(g).failures, std::vector<std::string>{});
+  EXPECT_EQ(out("all.txt"), "frame 3");
+  write("frames/choice.txt", "5");
+  EXPECT_EQ(run(g).tasks.run, 2u);  // the id is read, the other text is written
+  EXPECT_EQ(out("all.txt"), "frame 5");
+  write("frames/choice.txt", "9");
+  EXPECT_EQ(run(g).failures,
+            std::vector<std::string>{"one: its input 'id' names no element; the sequence has 5 elements, '1' to '5'"});
+}
 TEST_F(Rearranging, FirstTakesThePresentAlternative) {
   EXPECT_EQ(joined(R"("chosen": {"node": "first", "inputs": {"alternatives": ["texts"]}},)", "chosen"),
             "frame 1\nframe 2\nframe 3\nframe 4\nframe 5");

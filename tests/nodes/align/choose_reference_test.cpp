@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "nodes/align/pick_scan.h"
 #include "nodes/align/upper_difference.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -103,13 +102,6 @@ TEST(UpperDifference, IsNothingWhereMarkersDoNotTellTheMotion) {
 TEST(UpperDifference, RejectsPicturesOfOtherSizes) {
   EXPECT_THROW_TEXT(upper_difference(picture_of({}), {}, Image{2, 3, 1, std::vector<std::uint8_t>(6, 0)}, {}),
                     "a is 64 x 64 pixels, b 2 x 3");
-}
-
-TEST(PickScan, FindsAFrameById) {
-  const engine::Seq<DepthScan> scans({DepthScan{{}, picture_of({10, 1}), {}}, DepthScan{{}, picture_of({10, 8}), {}}},
-                                     {"a.1", "a.2"});
-  EXPECT_EQ(pick_scan(scans, "a.2").picture.pixels, picture_of({10, 8}).pixels);
-  EXPECT_THROW_TEXT(pick_scan(scans, "b.1"), "frame is \"b.1\", which none of 2 has");
 }
 
 }  // namespace face::align

@@ -16,7 +16,7 @@
 #include "nodes/model/head_points.h"
 #include "nodes/model/head_rig.h"
 #include "nodes/model/match_cylinder.h"
-#include "nodes/model/pick_shape.h"
+#include "nodes/model/mean_shape.h"
 #include "nodes/model/region_pca.h"
 #include "nodes/model/resample_shape.h"
 #include "nodes/model/scan_surface.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nodes/model/head_points.h"
-#include "nodes/model/pick_shape.h"
+#include "nodes/model/mean_shape.h"
 #include "nodes/model/scan_surface.h"
 #include "nodes/model/shape_rig.h"
 #include "nodes/model/stretch_space.h"
@@ -22,12 +22,9 @@ MeshPoints skin_of(const MorphableModel& surface) {
   return {{surface.mean.points_mm.begin(), surface.mean.points_mm.begin() + skin}};
 }
 
-TEST(PickShape, TakesTheNamedOneOrTheFirst) {
+TEST(MeanShape, IsTheMeanOfEveryVertex) {
   const engine::Seq<MeshPoints> shapes({{{{1, 0, 0}}}, {{{3, 2, 0}}}}, {"rest", "open"});
-  EXPECT_EQ(pick_shape(shapes).points_mm[0], (Vec3f{1, 0, 0}));
-  EXPECT_EQ(pick_shape(shapes, {.id = "open"}).points_mm[0], (Vec3f{3, 2, 0}));
   EXPECT_EQ(mean_shape(shapes).points_mm[0], (Vec3f{2, 1, 0}));
-  EXPECT_THROW_TEXT(pick_shape(shapes, {.id = "smile"}), "shapes has no element \"smile\"; the first is \"rest\"");
   EXPECT_THROW_TEXT(mean_shape({}), "shapes is empty, expected at least 1 element");
 }
 

@@ -18,7 +18,6 @@
 #include "nodes/transfer/mark_lips.h"
 #include "nodes/transfer/morph.h"
 #include "nodes/transfer/move_model.h"
-#include "nodes/transfer/pick_truth.h"
 #include "nodes/transfer/project_cylinder.h"
 #include "nodes/transfer/recolour.h"
 #include "nodes/transfer/resample.h"
@@ -485,18 +484,6 @@ TEST(LineMouth, LetsShutLipsMeet) {
   EXPECT_EQ(lined.neutral.colors_srgb.back(), open.colors_srgb[0]);
   // As many for every mouth of this mesh, so that one head can become another.
   EXPECT_EQ(short_rims.neutral.points_mm.size(), lined.neutral.points_mm.size());
-}
-
-TEST(PickTruth, FindsTheReferenceById) {
-  const engine::Seq<SurfaceMap> truths({SurfaceMap{1, 1, {4}, {{0, 0}}}, SurfaceMap{1, 1, {9}, {{0, 0}}}},
-                                       {"a.1", "a.2"});
-  RigidMotion second;
-  second.translation_mm = {1, 2, 3};
-  const engine::Seq<RigidMotion> motions({RigidMotion{}, second}, {"a.1", "a.2"});
-  const PickTruthResult result = pick_truth(truths, motions, "a.2");
-  EXPECT_EQ(result.truth.triangle[0], 9);
-  EXPECT_EQ(result.world_from_head.translation_mm[2], 3);
-  EXPECT_THROW_TEXT(pick_truth(truths, motions, "b.1"), "frame is \"b.1\", which none of 2 has");
 }
 
 // A tilted wall with a smooth picture, and the same wall seen by a scanner that stands elsewhere.

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/model/pick_shape.h"
+#include "nodes/model/mean_shape.h"
 
 #include <vector>
 
-namespace face::model {
+#include "nodes/base/check.h"
 
-MeshPoints pick_shape(const engine::Seq<MeshPoints>& shapes, const PickShapeOptions& options) {
-  return *shapes.at(index_of(shapes, options.id, "shapes"));
-}
+namespace face::model {
 
 MeshPoints mean_shape(const engine::Seq<MeshPoints>& shapes) {
   check(!shapes.empty(), "shapes is empty, expected at least 1 element");
