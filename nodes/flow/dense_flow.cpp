@@ -196,7 +196,7 @@ void dense_flow(const std::vector<Level>& reference, const std::vector<Level>& t
     for (int k = 0; k < warps; ++k) {
       const float loose =
           warps == 1 ? 1 : std::pow(options.first_looseness, 1 - static_cast<float>(k) / static_cast<float>(warps - 1));
-      warp(b, u, v, warped);
+      warp(b, u, v, warped, options.between);
       const Plane seen = seen_by_both(a.share, warped.share);
       energy.aa = energy.ab = energy.bb = energy.ra = energy.rb = Plane(width, height);
       for (std::size_t c = 0; c < a.channels.size(); ++c)

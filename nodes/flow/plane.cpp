@@ -56,6 +56,41 @@ Level reduced(const Level& level) {
   return out;
 }
 
+// 1 where the 4 x 4 pixels from one up and left to two down and right are measured.
+std::vector<std::uint8_t> within_measured(const Plane& share) {
+  const int width = share.width, height = share.height;
+  std::vector<std::uint8_t> within(share.values.size(), 0), across = within;
+  const auto at = [&](int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width); };
+  for (int y = 0; y < height; ++y) {
+    const float* s = share.row(y);
+    std::uint8_t* out = across.data() + at(y);
+    for (int x = 1; x + 2 < width; ++x) out[x] = s[x - 1] * s[x] * s[x + 1] * s[x + 2] > 0 ? 1 : 0;
+  }
+  for (int y = 1; y + 2 < height; ++y) {
+    const std::uint8_t *a = across.data() + at(y - 1), *b = across.data() + at(y), *c = across.data() + at(y + 1),
+                       *d = across.data() + at(y + 2);
+    std::uint8_t* out = within.data() + at(y);
+    for (int x = 0; x < width; ++x) out[x] = a[x] & b[x] & c[x] & d[x];
+  }
+  return within;
+}
+
+std::array<float, 4> cubic_weights(float t) {
+  const float s = 1 - t;
+  return {-0.5f * t * s * s, 1 + t * t * (1.5f * t - 2.5f), 1 + s * s * (1.5f * s - 2.5f), -0.5f * s * t * t};
+}
+
+// Between the pixel at p, its right and lower neighbours.
+float cubic_at(const float* p, int width, float fx, float fy) {
+  const std::array<float, 4> wx = cubic_weights(fx), wy = cubic_weights(fy);
+  float sum = 0;
+  for (int j = 0; j < 4; ++j) {
+    const float* row = p + (j - 1) * width - 1;
+    sum += wy[static_cast<std::size_t>(j)] * (wx[0] * row[0] + wx[1] * row[1] + wx[2] * row[2] + wx[3] * row[3]);
+  }
+  return sum;
+}
+
 }  // namespace
 
 Level level_of(const FeatureMap& map) {
@@ -107,13 +142,15 @@ void box_mean(Plane& plane, int radius) {
   }
 }
 
-void warp(const Level& level, const Plane& u, const Plane& v, Level& warped) {
+void warp(const Level& level, const Plane& u, const Plane& v, Level& warped, Between between) {
   const int width = level.share.width, height = level.share.height;
   if (warped.channels.size() != level.channels.size() || warped.share.width != width || warped.share.height != height) {
     warped.channels.assign(level.channels.size(), Plane(width, height));
     warped.share = Plane(width, height);
   }
   const float* share = level.share.values.data();
+  const std::vector<std::uint8_t> within =
+      between == Between::cubic ? within_measured(level.share) : std::vector<std::uint8_t>();
   const float right = static_cast<float>(width - 1), bottom = static_cast<float>(height - 1);
   std::vector<std::int32_t> index(static_cast<std::size_t>(width));
   std::vector<float> fx(index.size()), fy(index.size()), ok(index.size());
@@ -138,6 +175,10 @@ void warp(const Level& level, const Plane& u, const Plane& v, Level& warped) {
       float* target = warped.channels[c].row(y);
       for (std::size_t n = 0; n < index.size(); ++n) {
         const float* p = source + index[n];
+        if (!within.empty() && within[static_cast<std::size_t>(index[n])]) {
+          target[n] = cubic_at(p, width, fx[n], fy[n]);
+          continue;
+        }
         const float above = p[0] + fx[n] * (p[1] - p[0]), below = p[width] + fx[n] * (p[width + 1] - p[width]);
         target[n] = above + fy[n] * (below - above);
       }

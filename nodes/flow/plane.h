@@ -41,9 +41,12 @@ std::vector<Level> pyramid_of(const FeatureMap& map, int levels);
 // Means over the (2 radius + 1)^2 pixels about each; outside the picture counts as 0.
 void box_mean(Plane& plane, int radius);
 
-// value(x + u, y + v), bilinear, for every pixel; share becomes 0 where a neighbour outside the picture or without
-// measurement is needed.
-void warp(const Level& level, const Plane& u, const Plane& v, Level& warped);
+enum class Between { linear, cubic };
+
+// value(x + u, y + v) for every pixel, between pixels bilinear, or by the cubic of Keys (Cubic Convolution
+// Interpolation for Digital Image Processing, 1981, Eq. 15, a = -1/2) where all of its 16 pixels are measured; share
+// becomes 0 where a neighbour outside the picture or without measurement is needed by the bilinear one.
+void warp(const Level& level, const Plane& u, const Plane& v, Level& warped, Between between = Between::linear);
 
 // A level's plane on the next finer level of the given size, bilinear, times scale (2 for a displacement).
 Plane finer(const Plane& plane, int width, int height, float scale);

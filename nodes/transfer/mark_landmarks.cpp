@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,6 +21,15 @@ using Eigen::Vector3d;
 // Root mean square of what scale and shift leave of the places that both heads tell, in distances of the eyes: 0.04 of
 // ICT-FaceKit's head upon the embedded one, 0.7 of a head that looks up, 1.5 of one that looks back.
 constexpr double most_unlike = 0.3;
+
+// The middle of the face, and where its nose and its chin are looked for: in heights from the mouth (0) to the eyes
+// (1).
+constexpr double middle_half_width = 0.15;
+constexpr std::array<double, 2> nose_heights = {0.15, 0.9}, chin_heights = {-0.9, -0.35};
+
+constexpr double shepard_radius = 0.1;      // distances of the eyes: nearer places count alike
+constexpr double least_facing = 0.3;        // cosine between the normals of a landmark here and there
+constexpr double least_of_lower_lip = 0.4;  // of the jaw's largest motion: lower lips move by more, upper ones by less
 
 // Points 48 to 67 are the mouth's. Those of the upper lip's edges, and of the lower one's; between them its corners.
 constexpr std::size_t first_of_mouth = 48;
@@ -87,7 +97,7 @@ std::vector<LipPair> landmark_pairs(const Rig& rig) {
           {rig.landmarks68[63], rig.landmarks68[65]}};
 }
 
-// Where an eye's lids are: the mean of what a blink moves, and how far it goes to either side.
+// Where an eye's lids are: the mean of what a blink moves, and how far it goes to either side, were it spread evenly.
 void add_eye(const Head& head, const char* blink, std::vector<Vector3d>& places) {
   const Shape& shape = shape_of(head.rig, blink);
   Vector3d mean = Vector3d::Zero();
@@ -101,21 +111,23 @@ void add_eye(const Head& head, const char* blink, std::vector<Vector3d>& places)
   mean /= total;
   for (std::size_t i = 0; i < shape.vertices.size(); ++i)
     squares += size_of(shape.offsets_mm[i]) / total * std::pow(head.place(shape.vertices[i]).x() - mean.x(), 2);
-  const Vector3d aside(1.7 * std::sqrt(squares), 0, 0);
+  const Vector3d aside(std::sqrt(3 * squares), 0, 0);
   places.insert(places.end(), {mean - aside, mean, mean + aside});
 }
 
-// The most forward vertex near the middle of the face, from below to above, in heights from the mouth (0) to the eyes
-// (1).
-Vector3d most_forward(const Head& head, const Vector3d& mouth, const Vector3d& eyes, double below, double above) {
-  const double height = eyes.y() - mouth.y(), half_width = 0.15 * height;
-  Vector3d best(0, 0, std::numeric_limits<double>::lowest());
+// The most forward vertex near the middle of the face, between two heights.
+Vector3d most_forward(const Head& head, const Vector3d& mouth, const Vector3d& eyes,
+                      const std::array<double, 2>& heights) {
+  const double height = eyes.y() - mouth.y(), half_width = middle_half_width * height;
+  constexpr double nowhere = std::numeric_limits<double>::lowest();
+  Vector3d best(0, 0, nowhere);
   for (std::uint32_t v = 0; v < head.rig.neutral.points_mm.size(); ++v) {
     const Vector3d place = head.place(v);
     const double at = (place.y() - mouth.y()) / height;
-    if (std::abs(place.x() - mouth.x()) < half_width && at > below && at < above && place.z() > best.z()) best = place;
+    if (std::abs(place.x() - mouth.x()) < half_width && at > heights[0] && at < heights[1] && place.z() > best.z())
+      best = place;
   }
-  check(std::isfinite(best.z()) && best.z() > -1e9,
+  check(best.z() > nowhere,
         "the rig's landmarks cannot be found: there is nothing between its mouth and eyes, or below the mouth");
   return best;
 }
@@ -129,31 +141,90 @@ std::vector<Vector3d> tell_places(const Head& head, const Mouth& mouth) {
   check(eyes.y() > mouth.middle.y(), "the rig's landmarks cannot be found: its eyes are not above its mouth; is it ",
         "turned in its file?");
   places.push_back(mouth.middle);
-  places.push_back(most_forward(head, mouth.middle, eyes, 0.15, 0.9));    // nose
-  places.push_back(most_forward(head, mouth.middle, eyes, -0.9, -0.35));  // chin
+  places.push_back(most_forward(head, mouth.middle, eyes, nose_heights));
+  places.push_back(most_forward(head, mouth.middle, eyes, chin_heights));
   return places;
 }
 
-// The scale and shift that lay places upon others. Both heads look to +z.
-struct Laying {
-  double scale = 1;
-  Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
-  Vector3d operator()(const Vector3d& p) const { return to + scale * (p - from); }
+// Between the middles of the lids.
+double eye_distance(const std::vector<Vector3d>& places) { return (places[1] - places[4]).norm(); }
+
+// Takes places of one head to another: the scale and shift that lay those that both tell upon each other, and what is
+// left of these, shared out by distance. Both heads look to +z.
+class Carrying {
+ public:
+  Carrying(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
+    const auto count = static_cast<double>(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      from_ += from[i] / count;
+      to_ += to[i] / count;
+    }
+    double here = 0, there = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      there += (from[i] - from_).squaredNorm();
+      here += (to[i] - to_).squaredNorm();
+    }
+    scale_ = std::sqrt(here / there);
+    double squares = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      laid_.push_back(lay(from[i]));
+      left_.emplace_back(to[i] - laid_[i]);
+      squares += left_[i].squaredNorm() / count;
+    }
+    unlike_ = std::sqrt(squares) / eye_distance(to);
+    radius_mm_ = shepard_radius * eye_distance(to);
+  }
+
+  double scale() const { return scale_; }
+  double unlike() const { return unlike_; }  // what scale and shift leave, in distances of the eyes
+
+  Vector3d operator()(const Vector3d& place) const {
+    const Vector3d laid = lay(place);
+    Vector3d left = Vector3d::Zero();
+    double total = 0;
+    for (std::size_t i = 0; i < laid_.size(); ++i) {
+      const double weight = 1 / ((laid_[i] - laid).squaredNorm() + radius_mm_ * radius_mm_);
+      left += weight * left_[i];
+      total += weight;
+    }
+    return laid + left / total;
+  }
+
+ private:
+  Vector3d lay(const Vector3d& place) const { return to_ + scale_ * (place - from_); }
+
+  double scale_ = 1, unlike_ = 0, radius_mm_ = 0;
+  Vector3d from_ = Vector3d::Zero(), to_ = Vector3d::Zero();
+  std::vector<Vector3d> laid_, left_;
 };
 
-Laying laying_of(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
-  Laying lay;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    lay.from += from[i] / static_cast<double>(from.size());
-    lay.to += to[i] / static_cast<double>(from.size());
+// The nearest vertex to a landmark's place that looks as the landmark does, on its lip.
+std::uint32_t vertex_at(const Head& head, std::size_t number, const Vector3d& place, const Vector3d& looks) {
+  std::uint32_t best = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::uint32_t v = 0; v < head.rig.neutral.points_mm.size(); ++v) {
+    if (vector_of(head.normals[v]).dot(looks) < least_facing) continue;
+    if (of_upper_lip(number) && head.jaw[v] > least_of_lower_lip) continue;
+    if (of_lower_lip(number) && head.jaw[v] < least_of_lower_lip) continue;
+    const double distance = (head.place(v) - place).squaredNorm();
+    if (distance < least) least = distance, best = v;
   }
-  double here = 0, there = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    there += (from[i] - lay.from).squaredNorm();
-    here += (to[i] - lay.to).squaredNorm();
+  check(least < std::numeric_limits<double>::max(), "the rig's landmark ", number,
+        " cannot be found: no vertex looks as it does");
+  return best;
+}
+
+// The inner lips' landmarks, from right to left: of the rig's pairs the outermost ones and the nearest to the middle.
+void mark_inner_lips(const Head& head, const Mouth& mouth, std::vector<std::uint32_t>& landmarks) {
+  const std::vector<LipPair>& pairs = head.rig.inner_lips;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double wanted = mouth.middle.x() + (static_cast<double>(k) - 1) * mouth.width_mm / 2;
+    const LipPair& pair = *std::min_element(pairs.begin(), pairs.end(), [&](const LipPair& a, const LipPair& b) {
+      return std::abs(head.place(a.lower).x() - wanted) < std::abs(head.place(b.lower).x() - wanted);
+    });
+    landmarks[61 + k] = pair.upper;
+    landmarks[67 - k] = pair.lower;
   }
-  lay.scale = std::sqrt(here / there);
-  return lay;
 }
 
 }  // namespace
@@ -165,67 +236,30 @@ Rig mark_landmarks(const Rig& rig, const Rig& reference) {
   check(rig.inner_lips.size() >= 3, "the rig's landmarks cannot be found: it has ", rig.inner_lips.size(),
         " pairs of inner lips, expected at least 3 that jawOpen parts");
   const Head head = head_of(rig), other = head_of(reference);
-  const std::vector<LipPair>& pairs = rig.inner_lips;
-  const Mouth mouth = mouth_of(head, pairs), other_mouth = mouth_of(other, landmark_pairs(reference));
+  const Mouth mouth = mouth_of(head, rig.inner_lips), other_mouth = mouth_of(other, landmark_pairs(reference));
   check(mouth.width_mm > 0 && other_mouth.width_mm > 0,
         "the rig's landmarks cannot be found: its inner lips lie above each other");
-  const std::vector<Vector3d> from = tell_places(other, other_mouth), to = tell_places(head, mouth);
-  const Laying lay = laying_of(from, to);
-  double squares = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    squares += (lay(from[i]) - to[i]).squaredNorm() / static_cast<double>(from.size());
-  const double unlike = std::sqrt(squares) / (to[1] - to[4]).norm();
-  check(unlike < most_unlike, "the rig's landmarks cannot be found: its eyes, nose, mouth and chin lie ",
-        std::round(100 * unlike) / 100,
+  const Carrying carry(tell_places(other, other_mouth), tell_places(head, mouth));
+  check(carry.unlike() < most_unlike, "the rig's landmarks cannot be found: its eyes, nose, mouth and chin lie ",
+        std::round(100 * carry.unlike()) / 100,
         " distances of the eyes from where those of a head do that is upright and looks to +z, expected at most ",
         most_unlike, "; is it turned in its file?");
-  const double near_mm = 0.1 * (to[1] - to[4]).norm();
 
-  const auto carry = [&](std::size_t number) {
-    const Vector3d there = other.place(reference.landmarks68[number]);
-    if (number >= first_of_mouth) {
-      Vector3d about = there - other_mouth.middle;
-      about.x() *= mouth.width_mm / (other_mouth.width_mm * lay.scale);
-      return Vector3d(mouth.middle + lay.scale * about);
-    }
-    Vector3d moved = lay(there), left = Vector3d::Zero();
-    double total = 0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const double weight = 1 / ((lay(from[i]) - moved).squaredNorm() + near_mm * near_mm);
-      left += weight * (to[i] - lay(from[i]));
-      total += weight;
-    }
-    moved += left / total;
-    return moved;
+  // The mouth's go as far sideways as the inner lips lie apart.
+  const auto carry_mouth = [&](const Vector3d& place) -> Vector3d {
+    Vector3d about = carry.scale() * (place - other_mouth.middle);
+    about.x() = mouth.width_mm / other_mouth.width_mm * (place - other_mouth.middle).x();
+    return mouth.middle + about;
   };
-
   Rig marked = rig;
   marked.landmarks68.clear();
   for (std::size_t number = 0; number < 68; ++number) {
-    const Vector3d wanted = carry(number);
-    const Vector3d looks = vector_of(other.normals[reference.landmarks68[number]]);
-    std::uint32_t best = 0;
-    double least = std::numeric_limits<double>::max();
-    for (std::uint32_t v = 0; v < rig.neutral.points_mm.size(); ++v) {
-      if (vector_of(head.normals[v]).dot(looks) < 0.3) continue;
-      if (of_upper_lip(number) && head.jaw[v] > 0.4) continue;
-      if (of_lower_lip(number) && head.jaw[v] < 0.4) continue;
-      const double distance = (head.place(v) - wanted).squaredNorm();
-      if (distance < least) least = distance, best = v;
-    }
-    check(least < std::numeric_limits<double>::max(), "the rig's landmark ", number,
-          " cannot be found: no vertex looks as it does");
-    marked.landmarks68.push_back(best);
+    const std::uint32_t vertex = reference.landmarks68[number];
+    const Vector3d there = other.place(vertex);
+    marked.landmarks68.push_back(vertex_at(head, number, number < first_of_mouth ? carry(there) : carry_mouth(there),
+                                           vector_of(other.normals[vertex])));
   }
-  // From right to left: the outermost pairs and the one nearest to the middle.
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double wanted = mouth.middle.x() + (static_cast<double>(k) - 1) * mouth.width_mm / 2;
-    const LipPair& pair = *std::min_element(pairs.begin(), pairs.end(), [&](const LipPair& a, const LipPair& b) {
-      return std::abs(head.place(a.lower).x() - wanted) < std::abs(head.place(b.lower).x() - wanted);
-    });
-    marked.landmarks68[61 + k] = pair.upper;
-    marked.landmarks68[67 - k] = pair.lower;
-  }
+  mark_inner_lips(head, mouth, marked.landmarks68);
   return marked;
 }
 

@@ -63,6 +63,31 @@ TEST(ScanFlow, FindsAKnownTranslationToAThirtiethOfAPixel) {
   }
 }
 
+// Read between its pixels by a line, the target alone is blurred, and dots are found to grow by 0.05 px on every side.
+TEST(ScanFlow, FindsDotsBetweenPixelsAsLargeAsTheyAre) {
+  const auto dots = [](double shift) {
+    FeatureMap map{160, 120, {"grey"}, {}, {}};
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+        const double r = std::hypot(std::remainder(x - shift - 10, 20), std::remainder(y - shift - 10, 20));
+        map.values.push_back(static_cast<float>(75 + 165 * 0.5 * std::erfc((r - 2.6) / (0.6 * std::sqrt(2.0)))));
+      }
+    map.valid.assign(map.values.size(), 1);
+    return map;
+  };
+  const FlowField flow = found(dots(0), dots(0.5), {.smoothness = 15, .search = false});
+  double outwards = 0, count = 0;
+  for (int y = 20; y < 100; ++y)
+    for (int x = 20; x < 140; ++x) {
+      const double dx = std::remainder(x - 10, 20), dy = std::remainder(y - 10, 20), r = std::hypot(dx, dy);
+      if (r < 1.5 || r > 4) continue;
+      const Vec2f& d = flow.displacement_px[static_cast<std::size_t>(y * flow.width + x)];
+      outwards += ((static_cast<double>(d[0]) - 0.5) * dx + (static_cast<double>(d[1]) - 0.5) * dy) / r;
+      ++count;
+    }
+  EXPECT_LE(std::fabs(outwards / count), 0.01);
+}
+
 TEST(ScanFlow, FindsARotationAndAStretchToATwentiethOfAPixel) {
   const test::Motion motion = [](double x, double y) {
     return Vec2f{static_cast<float>(0.04 * (x - 80) - 0.06 * (y - 60)),
