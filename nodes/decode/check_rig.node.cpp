@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.check_rig", &check_rig, version{4},
+NODE("decode.check_rig", &check_rig, version{5},
      doc{"Looks at a head before it is used: its shapes, size and mouth, and a file of names to fill in."},
      input{"file", "An OBJ folder, or a GLB or glTF file"},
      input{"names", "JSON object that maps the file's shape names to ARKit's, where they differ"},

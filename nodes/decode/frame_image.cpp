@@ -32,8 +32,9 @@ struct Free {
 
 }  // namespace
 
-Image image_of(const AVFrame& frame, const std::string& title) {
-  if (static_cast<AVPixelFormat>(frame.format) != AV_PIX_FMT_GRAY8) return RgbConverter(frame, title).convert(frame);
+Image image_of(const AVFrame& frame, const std::string& title, bool with_alpha) {
+  if (static_cast<AVPixelFormat>(frame.format) != AV_PIX_FMT_GRAY8)
+    return RgbConverter(frame, title, with_alpha).convert(frame);
   Image out{frame.width, frame.height, 1, {}};
   for (int y = 0; y < frame.height; ++y) {
     const std::uint8_t* row = frame.data[0] + static_cast<std::ptrdiff_t>(frame.linesize[0]) * y;
@@ -58,7 +59,7 @@ Image read_picture_bytes(std::string_view bytes, const std::string& title) {
   if (code >= 0) code = avcodec_send_packet(context.get(), nullptr);
   if (code >= 0) code = avcodec_receive_frame(context.get(), frame.get());
   if (code < 0) return {};
-  return image_of(*frame, title);
+  return image_of(*frame, title, true);
 }
 
 }  // namespace face::decode

@@ -9,11 +9,11 @@ struct AVFrame;
 
 namespace face::decode {
 
-// A decoded picture as 8-bit sRGB: grey stays grey, all else becomes RGB, without transparency. `title` is what
-// messages call it.
-Image image_of(const AVFrame& frame, const std::string& title);
+// A decoded picture as 8-bit sRGB: grey stays grey, all else becomes RGB, or RGBA where it has transparency and that is
+// asked for. `title` is what messages call it.
+Image image_of(const AVFrame& frame, const std::string& title, bool with_alpha = false);
 
-// A PNG, JPEG or WebP file in memory; what is none, or damaged, has no pixels.
+// A PNG, JPEG or WebP file in memory, with its transparency; what is none, or damaged, has no pixels.
 Image read_picture_bytes(std::string_view bytes, const std::string& title);
 
 }  // namespace face::decode

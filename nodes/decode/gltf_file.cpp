@@ -64,7 +64,8 @@ std::optional<engine::File> find_gltf(const engine::File& file) {
 engine::File gltf_main_file(const engine::File& file) {
   if (const std::optional<engine::File> found = find_gltf(file)) return *found;
   fail(title_of(file), ": is not a rig: found ", file.entries().size(), " files, of which ", gltf_entries(file).size(),
-       " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one "
+       " are GLB or glTF; expected an ICT-FaceKit folder (generic_neutral_mesh.obj or neutral.obj, and one OBJ file "
+       "per shape) or one "
        "glTF file with its buffers");
 }
 

@@ -34,24 +34,62 @@ int picture_of(const tinygltf::Texture& texture) {
   return webp->second.Get("source").GetNumberAsInt();
 }
 
-// Means of squares of pixels, in RGB.
+int opacity_of(const Image& image, std::size_t pixel) {
+  return image.channels == 4 ? image.pixels[4 * pixel + 3] : 255;
+}
+
+// Means of squares of pixels, in RGBA; a transparent pixel's colour does not count beside one that is seen.
 Image shrunk(const Image& image) {
   const int factor = (std::max(image.width, image.height) + largest_side_px - 1) / largest_side_px;
-  Image out{std::max(1, image.width / factor), std::max(1, image.height / factor), 3, {}};
+  Image out{std::max(1, image.width / factor), std::max(1, image.height / factor), 4, {}};
   for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        int sum = 0, count = 0;
-        for (int j = y * factor; j < std::min((y + 1) * factor, image.height); ++j)
-          for (int i = x * factor; i < std::min((x + 1) * factor, image.width); ++i, ++count)
-            sum += image.pixels[static_cast<std::size_t>((j * image.width + i) * image.channels +
-                                                         (image.channels == 3 ? c : 0))];
-        out.pixels.push_back(static_cast<std::uint8_t>((sum + count / 2) / std::max(count, 1)));
-      }
+    for (int x = 0; x < out.width; ++x) {
+      int opacity = 0, count = 0;
+      std::array<int, 3> plain{}, weighted{};
+      for (int j = y * factor; j < std::min((y + 1) * factor, image.height); ++j)
+        for (int i = x * factor; i < std::min((x + 1) * factor, image.width); ++i, ++count) {
+          const auto pixel = static_cast<std::size_t>(j * image.width + i);
+          const int here = opacity_of(image, pixel);
+          opacity += here;
+          for (std::size_t c = 0; c < 3; ++c) {
+            const int value =
+                image.pixels[pixel * static_cast<std::size_t>(image.channels) + (image.channels == 1 ? 0 : c)];
+            plain[c] += value;
+            weighted[c] += here * value;
+          }
+        }
+      const auto mean = [](int sum, int of) { return static_cast<std::uint8_t>((sum + of / 2) / std::max(of, 1)); };
+      for (std::size_t c = 0; c < 3; ++c)
+        out.pixels.push_back(opacity > 0 ? mean(weighted[c], opacity) : mean(plain[c], count));
+      out.pixels.push_back(mean(opacity, count));
+    }
   return out;
 }
 
 int wrapped(int index, int size) { return (index % size + size) % size; }
+
+// The four pixels about a place, and what each counts.
+struct Neighbours {
+  std::array<std::size_t, 4> pixels{};
+  std::array<float, 4> weights{};
+};
+
+Neighbours neighbours_of(const Image& picture, const Vec2f& uv) {
+  const float x = (uv[0] - std::floor(uv[0])) * static_cast<float>(picture.width) - 0.5f,
+              y = (uv[1] - std::floor(uv[1])) * static_cast<float>(picture.height) - 0.5f;
+  const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+  const float right_share = x - static_cast<float>(left), lower_share = y - static_cast<float>(top);
+  Neighbours about;
+  for (int k = 0; k < 4; ++k) {
+    const int column = wrapped(left + k % 2, picture.width), row = wrapped(top + k / 2, picture.height);
+    about.pixels[static_cast<std::size_t>(k)] = static_cast<std::size_t>(row * picture.width + column);
+    about.weights[static_cast<std::size_t>(k)] =
+        (k % 2 == 0 ? 1 - right_share : right_share) * (k / 2 == 0 ? 1 - lower_share : lower_share);
+  }
+  return about;
+}
+
+bool is_finite(const Vec2f& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
 
 }  // namespace
 
@@ -75,22 +113,43 @@ std::string GltfLooks::coordinates_of(const tinygltf::Primitive& primitive) cons
   return "TEXCOORD_" + std::to_string(look ? look->texCoord : 0);
 }
 
-Vec3f colour_at(const Image& picture, float u, float v) {
-  if (!std::isfinite(u) || !std::isfinite(v)) return {1, 1, 1};
-  const float x = (u - std::floor(u)) * static_cast<float>(picture.width) - 0.5f,
-              y = (v - std::floor(v)) * static_cast<float>(picture.height) - 0.5f;
-  const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
-  const float right_share = x - static_cast<float>(left), lower_share = y - static_cast<float>(top);
-  Vec3f sum{};
-  for (int j = 0; j < 2; ++j)
-    for (int i = 0; i < 2; ++i) {
-      const float weight = (i == 0 ? 1 - right_share : right_share) * (j == 0 ? 1 - lower_share : lower_share);
-      const int column = wrapped(left + i, picture.width), row = wrapped(top + j, picture.height);
-      for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += weight / 255 *
-                  static_cast<float>(picture.pixels[3 * static_cast<std::size_t>(row * picture.width + column) + c]);
+Vec3f colour_at(const Image& picture, const Vec2f& uv) {
+  if (!is_finite(uv)) return {1, 1, 1};
+  const Neighbours about = neighbours_of(picture, uv);
+  Vec3f plain{}, weighted{};
+  float opacity = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint8_t* pixel = picture.pixels.data() + 4 * about.pixels[k];
+    const float here = about.weights[k] * static_cast<float>(pixel[3]) / 255;
+    opacity += here;
+    for (std::size_t c = 0; c < 3; ++c) {
+      plain[c] += about.weights[k] / 255 * static_cast<float>(pixel[c]);
+      weighted[c] += here / 255 * static_cast<float>(pixel[c]);
     }
-  return sum;
+  }
+  if (opacity <= 0) return plain;
+  for (float& value : weighted) value /= opacity;
+  return weighted;
+}
+
+float cover_of(const Image& picture, const std::array<Vec2f, 3>& corners, float cutoff) {
+  constexpr int steps = 6;  // along each side: 28 places
+  float sum = 0, count = 0;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j, ++count) {
+      const std::array<float, 3> shares = {static_cast<float>(i) / steps, static_cast<float>(j) / steps,
+                                           static_cast<float>(steps - i - j) / steps};
+      Vec2f uv{};
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < 2; ++k) uv[k] += shares[c] * corners[c][k];
+      if (!is_finite(uv)) return 1;
+      const Neighbours about = neighbours_of(picture, uv);
+      float opacity = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        opacity += about.weights[k] * static_cast<float>(picture.pixels[4 * about.pixels[k] + 3]) / 255;
+      sum += cutoff > 0 ? (opacity >= cutoff ? 1.0f : 0.0f) : opacity;
+    }
+  return sum / count;
 }
 
 }  // namespace face::decode

@@ -26,6 +26,9 @@
 namespace face::decode {
 namespace {
 
+// Of a triangle that a transparent picture lies on, such as a lash or a strand of hair: what shows less is not drawn.
+constexpr float least_cover = 0.5f;
+
 float srgb(double linear) { return static_cast<float>(srgb_of(std::clamp(linear, 0.0, 1.0))); }
 
 // The file's vertices as they are, before those that texture seams doubled are merged.
@@ -33,7 +36,7 @@ struct Raw {
   std::vector<Vec3f> points;
   std::vector<Vec2f> uvs;
   std::vector<Vec3f> colors;
-  std::vector<Vec3f> pictured;  // the texture's colour there
+  std::vector<Vec3f> pictured;  // the texture's colour there; a primitive may colour vertices of another's list
   bool any_uvs = false, any_colors = false, any_pictured = false;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Part> parts;
@@ -114,7 +117,7 @@ class Collector {
           raw_.colors[first + v][k] = srgb(static_cast<double>(values[v * static_cast<std::size_t>(width) + k]));
       raw_.any_colors = true;
     }
-    add_picture(primitive, first, count);
+    raw_.pictured.resize(first + count, Vec3f{1, 1, 1});
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
       const auto target = primitive.targets[t].find("POSITION");
       if (target == primitive.targets[t].end()) continue;
@@ -127,16 +130,28 @@ class Collector {
     }
   }
 
-  void add_picture(const tinygltf::Primitive& primitive, std::size_t first, std::size_t count) {
-    raw_.pictured.resize(first + count, Vec3f{1, 1, 1});
+  // Colours the vertices of the triangles from `begin` on by the picture on them, and puts those triangles last of
+  // which the picture shows less than half. Returns how many it leaves.
+  std::size_t add_picture(const tinygltf::Primitive& primitive, std::uint32_t first, std::uint32_t end,
+                          std::size_t begin) {
+    const std::size_t all = raw_.triangles.size() - begin;
     const Image* picture = looks_.picture_on(primitive);
-    const auto uv = primitive.attributes.find(looks_.coordinates_of(primitive));
-    if (picture == nullptr || uv == primitive.attributes.end()) return;
-    const std::vector<float> values = read_floats(model_, uv->second, 2, title_);
-    expect_rows(values.size() / 2, count, "texture coordinates");
-    for (std::size_t v = 0; v < count; ++v)
-      raw_.pictured[first + v] = colour_at(*picture, values[v * 2], values[v * 2 + 1]);
+    const auto found = primitive.attributes.find(looks_.coordinates_of(primitive));
+    if (picture == nullptr || found == primitive.attributes.end()) return all;
+    const std::vector<float> values = read_floats(model_, found->second, 2, title_);
+    expect_rows(values.size() / 2, end - first, "texture coordinates");
+    const auto uv = [&](std::uint32_t v) { return Vec2f{values[2 * (v - first)], values[2 * (v - first) + 1]}; };
+    const auto own = raw_.triangles.begin() + static_cast<std::ptrdiff_t>(begin);
+    for (auto triangle = own; triangle != raw_.triangles.end(); ++triangle)
+      for (const std::uint32_t v : *triangle) raw_.pictured[v] = colour_at(*picture, uv(v));
     raw_.any_pictured = true;
+    const tinygltf::Material& material = model_.materials[static_cast<std::size_t>(primitive.material)];
+    if (material.alphaMode == "OPAQUE") return all;
+    const float cutoff = material.alphaMode == "MASK" ? static_cast<float>(material.alphaCutoff) : 0;
+    const auto is_seen = [&](const std::array<std::uint32_t, 3>& triangle) {
+      return cover_of(*picture, {uv(triangle[0]), uv(triangle[1]), uv(triangle[2])}, cutoff) >= least_cover;
+    };
+    return static_cast<std::size_t>(std::stable_partition(own, raw_.triangles.end(), is_seen) - own);
   }
 
   void expect_rows(std::size_t found, std::size_t count, const std::string& what) const {
@@ -173,10 +188,16 @@ class Collector {
     if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
       for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         raw_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+    const auto seen = static_cast<std::uint32_t>(add_picture(primitive, first, end, begin));
     Part part = part_of(primitive, mesh);
-    part.first_polygon = begin;
-    part.polygon_count = static_cast<std::uint32_t>(raw_.triangles.size()) - begin;
-    if (part.polygon_count > 0) raw_.parts.push_back(part);
+    const auto add_part = [&](std::uint32_t from, std::uint32_t to) {
+      part.first_polygon = from;
+      part.polygon_count = to - from;
+      if (to > from) raw_.parts.push_back(part);
+    };
+    add_part(begin, begin + seen);
+    part.visible = false;
+    add_part(begin + seen, static_cast<std::uint32_t>(raw_.triangles.size()));
   }
 
   Part part_of(const tinygltf::Primitive& primitive, const tinygltf::Mesh& mesh) {

@@ -23,7 +23,7 @@ std::string_view folder_of(std::string_view name) { return name.substr(0, name.s
 const engine::File::Entry* find_neutral(const engine::File& folder) {
   for (const std::string_view wanted : neutral_names)
     for (const engine::File::Entry& entry : folder.entries())
-      if (leaf(entry.name) == wanted) return &entry;
+      if (lower(std::string(leaf(entry.name))) == wanted) return &entry;
   return nullptr;
 }
 

@@ -6,7 +6,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.rig", &read_rig, version{2},
+NODE("decode.rig", &read_rig, version{3},
      doc{"Reads a head with blend shapes: an ICT-FaceKit folder, or a GLB or glTF file with morph targets."},
      input{"file", "An ICT-FaceKit folder, or a GLB or glTF file"},
      input{"names", "JSON object that maps the file's shape names to ARKit's, where they differ"},

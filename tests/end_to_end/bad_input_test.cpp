@@ -196,7 +196,8 @@ TEST_F(BadInput, WhatIsNoRigIsToldFromARig) {
   EXPECT_EQ(
       take_rig("photos").failures(),
       Lines{"given_rig (decode.rig): photos: is not a rig: found 1 files, of which 0 are GLB or glTF; expected an "
-            "ICT-FaceKit folder (generic_neutral_mesh.obj and one OBJ file per shape) or one glTF file with its "
+            "ICT-FaceKit folder (generic_neutral_mesh.obj or neutral.obj, and one OBJ file per shape) or one glTF file "
+            "with its "
             "buffers"});
   EXPECT_EQ(
       take_rig("good.txt").failures(),

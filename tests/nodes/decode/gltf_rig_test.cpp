@@ -7,9 +7,9 @@
 
 #include "nodes/decode/read_rig.h"
 #include "nodes/types/arkit.h"
-#include "tests/support/folder_file.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/expect_throw_text.h"
+#include "tests/support/folder_file.h"
 
 using namespace face;
 using namespace face::decode;
@@ -132,6 +132,34 @@ TEST(GltfRig, TakesTheColoursOfVerticesFromTheTexture) {
       for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(mesh.colors_srgb[v][c], expected[v][c], tolerance) << suffix << v;
     EXPECT_EQ(mesh.parts[0].albedo_srgb, (Vec3f{1, 1, 1}));
   }
+}
+
+TEST(GltfRig, TrianglesThatATransparentTextureHardlyShowsAreNotDrawn) {
+  cv::Mat picture(32, 32, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+  picture.rowRange(0, 8).setTo(cv::Scalar(0, 0, 255, 255));
+  std::vector<unsigned char> encoded;
+  cv::imencode(".png", picture, encoded);
+  const std::string text = pictured_gltf(".png", std::string(encoded.begin(), encoded.end()));
+  const std::string material = R"("materials":[{)";
+
+  const Mesh plain = read(text).neutral;
+  ASSERT_EQ(plain.parts.size(), 1u) << "an opaque material has no use for its texture's transparency";
+  EXPECT_TRUE(plain.parts[0].visible);
+
+  const Mesh cut = read(with(text, material, material + R"("alphaMode":"MASK","alphaCutoff":0.4,)")).neutral;
+  ASSERT_EQ(cut.parts.size(), 2u);
+  for (const std::size_t part : {0u, 1u}) {
+    EXPECT_EQ(cut.parts[part].visible, part == 0);
+    EXPECT_EQ(cut.parts[part].first_polygon, part);
+    EXPECT_EQ(cut.parts[part].polygon_count, 1u);
+  }
+  EXPECT_EQ(cut.corners, plain.corners);
+  // Three corners lie on the edge of what is seen: they are red and not half black.
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_NEAR(cut.colors_srgb[v][0], 1, 1e-3) << v;
+
+  const Mesh shown = read(with(text, material, material + R"("alphaMode":"MASK","alphaCutoff":0.6,)")).neutral;
+  ASSERT_EQ(shown.parts.size(), 1u);
+  EXPECT_FALSE(shown.parts[0].visible);
 }
 
 TEST(GltfRig, PrefersTheWebpPictureOfATexture) {

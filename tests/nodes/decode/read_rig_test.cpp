@@ -10,10 +10,10 @@
 #include "nodes/base/pose.h"
 #include "nodes/decode/rig_shapes.h"
 #include "nodes/types/arkit.h"
-#include "tests/support/folder_file.h"
 #include "tests/nodes/decode/temporary.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
+#include "tests/support/folder_file.h"
 
 using namespace face;
 using namespace face::decode;
@@ -32,6 +32,13 @@ void write_small_rig(const test::Temporary& temporary) {
 }
 
 }  // namespace
+
+TEST(ReadRig, TakesAFolderWhoseNeutralMeshIsSimplyCalledNeutral) {
+  const test::Temporary temporary;
+  write_small_rig(temporary);
+  std::filesystem::rename(temporary.path("rig/generic_neutral_mesh.obj"), temporary.path("rig/Neutral.obj"));
+  EXPECT_EQ(read(temporary.path("rig")).neutral.points_mm.size(), 4u);
+}
 
 TEST(ReadRig, ReadsTheIctHeadInMillimetres) {
   DATA_FILE(folder, "ict-face/FaceXModel");
@@ -180,9 +187,10 @@ TEST(ReadRig, SaysWhatItLookedForInAFolderThatIsNoRig) {
   const test::Temporary temporary;
   temporary.write("clips/a.txt", "a");
   temporary.write("clips/b.txt", "b");
-  EXPECT_THROW_TEXT(read(temporary.folder() / "clips"),
-                    "clips: is not a rig: found 2 files, of which 0 are GLB or glTF; expected an ICT-FaceKit folder "
-                    "(generic_neutral_mesh.obj and one OBJ file per shape) or one glTF file with its buffers");
+  EXPECT_THROW_TEXT(
+      read(temporary.folder() / "clips"),
+      "clips: is not a rig: found 2 files, of which 0 are GLB or glTF; expected an ICT-FaceKit folder "
+      "(generic_neutral_mesh.obj or neutral.obj, and one OBJ file per shape) or one glTF file with its buffers");
 }
 
 TEST(ReadRig, MapsNamesByAFile) {
