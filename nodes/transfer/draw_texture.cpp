@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/grey_spline.h"
 #include "nodes/base/sample_image.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
@@ -19,12 +20,6 @@ double grey_of(const Image& picture, int x, int y) {
   const std::uint8_t* p = picture.pixels.data() +
                           static_cast<std::size_t>(y * picture.width + x) * static_cast<std::size_t>(picture.channels);
   return picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
-}
-
-double grey_at(const Image& picture, double x, double y) {
-  float values[4];
-  sample_image(picture, x, y, values);
-  return picture.channels < 3 ? values[0] : 0.299 * values[0] + 0.587 * values[1] + 0.114 * values[2];
 }
 
 // Triangles whose surface is hidden: most of those about them keep less than a share of the area that they have in the
@@ -117,6 +112,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
   const render::Triangulation cut = render::triangulate(mesh);
   const render::Raster raster = render::rasterize(screen, cut.triangles, {.width_px = width, .height_px = height});
   const std::vector<bool> hidden = hidden_triangles(cut.triangles, mesh, reference.picture, screen, options.least_area);
+  const GreySpline texture(reference.picture);
   std::vector<std::size_t> empty;
   DrawTextureResult result;
   result.drawn = result.picture = result.mask = {width, height, 1, {}};
@@ -141,8 +137,8 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
         u += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][0]);
         v += static_cast<double>(b[k]) * static_cast<double>(mesh.uvs[corners[k]][1]);
       }
-      result.drawn.pixels.push_back(to_byte(
-          grey_at(reference.picture, u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
+      result.drawn.pixels.push_back(
+          to_byte(texture.at(u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
     }
   fill_from_border(result.mask, std::move(empty), result.drawn);
   return result;

@@ -18,7 +18,7 @@ struct DrawTextureResult {
 };
 
 // The reference's texture on a frame: the mesh with a frame's shape as that frame's camera sees it, every pixel in the
-// grey of the reference's picture there, cubic. Where the shape is right and light does not change, it is the
+// grey of the reference's picture there (GreySpline). Where the shape is right and light does not change, it is the
 // frame's own picture (evaluate.texture_consistency tells how nearly). mesh: of model.scan_mesh, whose uvs are places
 // in the reference's picture; shape: its vertices in the frame, in the world of frame's camera (model.sample_scan's, of
 // align.orient's aligned scans). seen: the same frame with another picture, to compare with that; null = frame's own.

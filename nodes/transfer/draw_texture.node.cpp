@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.draw_texture", &draw_texture, version{3}, doc{"The reference's texture on a frame, beside that frame."},
+NODE("transfer.draw_texture", &draw_texture, version{4}, doc{"The reference's texture on a frame, beside that frame."},
      input{"mesh", "Polygons, from model.scan_mesh"}, input{"reference", "The reference scan, whose picture is drawn"},
      input{"shape", "Where the vertices are in the frame, from model.sample_scan"},
      input{"frame", "The frame's scan, aligned with the reference"},
