@@ -15,7 +15,9 @@
 namespace face::model {
 namespace {
 
-constexpr int rings = 4;  // at a stride of 2 pixels lips' edges have been seen 6 pixels off
+// How far from the border a vertex is looked at from: at a stride of 2 pixels lips' edges have been seen 6 pixels off,
+// and up to 20 where a jaw falls so fast that the scanner loses the lip.
+constexpr std::array<int, 3> depths = {4, 8, 12};
 constexpr double step_px = 0.25;
 
 std::size_t index(const DepthScan& scan, int x, int y) {
@@ -81,9 +83,8 @@ void spread(const Edges& edges, std::vector<std::uint32_t> front, int most, Give
 }
 
 // Of every vertex that is nearer to the border the nearest that is `rings` away from it; -1 for the others.
-std::vector<std::int64_t> anchors_of(const Mesh& mesh) {
-  const Edges edges = edges_of(mesh);
-  std::vector<int> away(mesh.points_mm.size(), rings);
+std::vector<std::int64_t> anchors_of(const Edges& edges, int rings) {
+  std::vector<int> away(edges.to.size(), rings);
   std::vector<std::uint32_t> border, deep;
   for (std::uint32_t v = 0; v < away.size(); ++v)
     if (edges.border[v]) {
@@ -115,15 +116,29 @@ MeshPoints leave_openings(const Mesh& mesh, const MeshPoints& shape, const Depth
   MeshPoints result = shape;
   const std::vector<std::uint8_t> open = openings_of(scan);
   if (std::find(open.begin(), open.end(), 1) == open.end()) return result;
-  const std::vector<std::int64_t> anchor = anchors_of(mesh);
+  const Edges edges = edges_of(mesh);
+  std::array<std::vector<std::int64_t>, depths.size()> anchors;
+  std::transform(depths.begin(), depths.end(), anchors.begin(), [&](int rings) { return anchors_of(edges, rings); });
   const ScanRays rays(scan.camera);
   const auto pixel_at = [&](double x, double y) {
     return index(scan, std::clamp(static_cast<int>(std::lround(x)), 0, scan.picture.width - 1),
                  std::clamp(static_cast<int>(std::lround(y)), 0, scan.picture.height - 1));
   };
-  for (std::size_t v = 0; v < anchor.size(); ++v) {
-    if (anchor[v] < 0) continue;
-    const ScanPixel from = pixel_of(scan.camera, shape.points_mm[static_cast<std::size_t>(anchor[v])]);
+  const auto lies_open = [&](std::size_t v) {
+    const ScanPixel at = pixel_of(scan.camera, shape.points_mm[v]);
+    return at.depth_mm > 0 && open[pixel_at(at.x_px, at.y_px)] == 1;
+  };
+  // The nearest anchor that is no part of what lies open; of a vertex deep in the mesh only if it lies open itself.
+  const auto anchor_of = [&](std::size_t v) -> std::int64_t {
+    if (anchors[0][v] < 0 && !lies_open(v)) return -1;
+    for (const std::vector<std::int64_t>& anchor : anchors)
+      if (anchor[v] >= 0 && !lies_open(static_cast<std::size_t>(anchor[v]))) return anchor[v];
+    return -1;
+  };
+  for (std::size_t v = 0; v < shape.points_mm.size(); ++v) {
+    const std::int64_t anchor = anchor_of(v);
+    if (anchor < 0) continue;
+    const ScanPixel from = pixel_of(scan.camera, shape.points_mm[static_cast<std::size_t>(anchor)]);
     const ScanPixel to = pixel_of(scan.camera, shape.points_mm[v]);
     if (!(from.depth_mm > 0 && to.depth_mm > 0)) continue;
     const double way_px = std::hypot(to.x_px - from.x_px, to.y_px - from.y_px);
