@@ -11,6 +11,7 @@
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
+#include "nodes/track/face_contrast.h"
 #include "nodes/track/lip_line.h"
 
 namespace face::track {
@@ -19,7 +20,7 @@ namespace {
 constexpr int samples = lip_line_samples;
 constexpr double band_from = 0.06, band_to = 0.2;                   // of it, from each end: surely lip
 constexpr double edge = 0.1;                                        // of it, at each end: never the mouth's hollow
-constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};  // of a lip's colour: light, grain, a film's coding
+constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};  // of a lip's colour, usual contrast: light, grain, coding
 constexpr double most_unlike = 8;                                   // a reflex on a tooth is not more than a tooth
 constexpr double most_like = 0.3;  // what is like a lip hardly counts: the tongue is, between teeth and lower lip
 
@@ -36,7 +37,7 @@ struct LipLook {
   }
 };
 
-LipLook look_of(const std::vector<Colour>& colours, double from, double to) {
+LipLook look_of(const std::vector<Colour>& colours, double from, double to, const Colour& contrast) {
   LipLook look;
   Colour square{};
   double count = 0;
@@ -48,16 +49,17 @@ LipLook look_of(const std::vector<Colour>& colours, double from, double to) {
     }
   for (std::size_t c = 0; c < 3; ++c) {
     look.mean[c] /= count;
-    look.deviation[c] =
-        std::hypot(least_deviation[c], std::sqrt(std::max(0.0, square[c] / count - look.mean[c] * look.mean[c])));
+    look.deviation[c] = std::hypot(contrast[c] * least_deviation[c],
+                                   std::sqrt(std::max(0.0, square[c] / count - look.mean[c] * look.mean[c])));
   }
   return look;
 }
 
 // Luma as a multiple of the lips', so that the light does not count.
 void scale_luma(std::vector<Colour>& colours) {
-  const double lips =
-      (look_of(colours, band_from, band_to).mean[2] + look_of(colours, 1 - band_to, 1 - band_from).mean[2]) / 2;
+  const double lips = (look_of(colours, band_from, band_to, {1, 1, 1}).mean[2] +
+                       look_of(colours, 1 - band_to, 1 - band_from, {1, 1, 1}).mean[2]) /
+                      2;
   for (Colour& colour : colours) colour[2] /= std::max(lips, 0.02);
 }
 
@@ -71,9 +73,10 @@ struct Thickness {
 };
 
 // How far every sample of a line is from the lips, beyond `unlike`; much less than 0 at its ends.
-std::vector<double> excess_along(std::vector<Colour>& colours, double unlike) {
+std::vector<double> excess_along(std::vector<Colour>& colours, const Colour& contrast, double unlike) {
   scale_luma(colours);
-  const LipLook upper = look_of(colours, band_from, band_to), lower = look_of(colours, 1 - band_to, 1 - band_from);
+  const LipLook upper = look_of(colours, band_from, band_to, contrast),
+                lower = look_of(colours, 1 - band_to, 1 - band_from, contrast);
   std::vector<double> excess;
   for (int i = 0; i < samples; ++i) {
     const Colour& colour = colours[static_cast<std::size_t>(i)];
@@ -86,8 +89,9 @@ std::vector<double> excess_along(std::vector<Colour>& colours, double unlike) {
 
 // The most likely gap where the lips' thickness is known: teeth and hollow are unlike the lips, tongue and gums are
 // not, but a lip is about as thick as expected.
-Gap likely_gap(std::vector<Colour> colours, const Thickness& expected, const InnerLipsOptions& options) {
-  const std::vector<double> excess = excess_along(colours, options.unlike);
+Gap likely_gap(std::vector<Colour> colours, const Colour& contrast, const Thickness& expected,
+               const InnerLipsOptions& options) {
+  const std::vector<double> excess = excess_along(colours, contrast, options.unlike);
   std::vector<double> sum = {0};
   for (const double e : excess) sum.push_back(sum.back() + e * options.evidence / samples);
   const auto cost = [&](double thickness, double usual) {
@@ -106,8 +110,8 @@ Gap likely_gap(std::vector<Colour> colours, const Thickness& expected, const Inn
   return gap;
 }
 
-Gap find_gap(std::vector<Colour> colours, double unlike) {
-  const std::vector<double> excess = excess_along(colours, unlike);
+Gap find_gap(std::vector<Colour> colours, const Colour& contrast, double unlike) {
+  const std::vector<double> excess = excess_along(colours, contrast, unlike);
   double best = 0, sum = 0;
   int begin = 0, best_begin = -1, best_end = -1;
   for (int i = 0; i < samples; ++i) {
@@ -181,6 +185,7 @@ Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landm
   std::vector<LipLine> lines;
   for (int i = 1; i <= 3; ++i) lines.push_back(lip_line(landmarks, i + 1));
   const FaceColours colours = colours_about(image, lines, width);
+  const LipColour contrast = face_contrast(image, landmarks);
   Landmarks out = landmarks;
   std::vector<Landmark> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -188,7 +193,8 @@ Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landm
     const std::optional<Thickness> expected =
         rest ? expected_thickness(*rest, landmarks, line, i + 1, width, options.thickening) : std::nullopt;
     const std::vector<Colour> seen = colours_along(colours, line, width);
-    const Gap gap = expected ? likely_gap(seen, *expected, options) : find_gap(seen, options.unlike);
+    const Gap gap =
+        expected ? likely_gap(seen, contrast, *expected, options) : find_gap(seen, contrast, options.unlike);
     const auto at = [&](double v, std::size_t number) {
       return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
                       (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};

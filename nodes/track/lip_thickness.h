@@ -8,7 +8,7 @@ namespace face::track {
 struct LipThicknessOptions {
   double open_share = 0.2;   // of a line across the mouth: one that is open by more tells how thick the lips are
   double thin_share = 0.3;   // of these lines: the quantile of the thickness that counts
-  double least_share = 0.6;  // of the thickness at rest: no lip is taken for thinner
+  double least_share = 0.8;  // of the thickness at rest: no lip is taken for thinner
 };
 
 // The shut mouth of `rest` with lips that are no thicker than those of open mouths. Somebody whose lips are not quite

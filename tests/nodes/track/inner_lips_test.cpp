@@ -157,6 +157,26 @@ TEST(InnerLips, FollowThePhantomsMouth) {
   EXPECT_GE(correlation, 0.97);
 }
 
+// A clip of low contrast left the mouth nearly shut, one of high contrast open where it was shut.
+TEST(InnerLips, OpenAsFarInAPictureOfAnyContrast) {
+  const test::PhantomClip clip = test::film_phantom("Bob may move five warm loaves.", 60, test::Dots::none);
+  for (const auto& [gain, offset] : {std::pair{0.35, 90.0}, {0.5, 0.0}, {0.7, 60.0}, {1.2, -15.0}}) {
+    double plain_px = 0, changed_px = 0, apart = 0, count = 0;
+    for (std::size_t i = 0; i < clip.frames.size(); i += 2, ++count) {
+      Image changed = *clip.frames[i];
+      for (std::uint8_t& value : changed.pixels)
+        value = static_cast<std::uint8_t>(std::clamp(gain * value + offset + 0.5, 0.0, 255.0));
+      const double plain = gap_px(track::inner_lips(*clip.frames[i], clip.truth[i]), 2);
+      const double other = gap_px(track::inner_lips(changed, clip.truth[i]), 2);
+      plain_px += plain, changed_px += other, apart += (other - plain) * (other - plain);
+    }
+    std::printf("%.2f v + %.0f: %.2f px, plain %.2f, %.2f apart\n", gain, offset, changed_px / count, plain_px / count,
+                std::sqrt(apart / count));
+    EXPECT_NEAR(changed_px / plain_px, 1, 0.1) << gain;
+    EXPECT_LE(std::sqrt(apart / count), 1.5) << gain;
+  }
+}
+
 // The end of each clip: the sentence is over and the mouth shut.
 TEST(InnerLips, OfRealMouthsAreTogetherAfterTheSentence) {
   DATA_FILE(data, "grid");

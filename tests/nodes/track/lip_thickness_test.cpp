@@ -40,10 +40,17 @@ std::vector<Landmarks> frames(int open, const Landmarks& mouth_when_open, const 
 
 // What shows between lips that are not quite together was taken for lips, and hid as much of every opening.
 TEST(LipThickness, IsThatOfOpenMouthsWhereLipsAreNeverTogether) {
-  const Landmarks rest = mouth(8, 0, 12), found = lip_thickness(frames(8, mouth(6, 9, 10.5), rest), rest);
-  EXPECT_NEAR(y_of(found, "inner_lip_2") - y_of(found, "lip_3"), 6, 1e-9);
+  const Landmarks rest = mouth(8, 0, 12), found = lip_thickness(frames(8, mouth(7, 9, 10.5), rest), rest);
+  EXPECT_NEAR(y_of(found, "inner_lip_2") - y_of(found, "lip_3"), 7, 1e-9);
   EXPECT_NEAR(y_of(found, "lip_9") - y_of(found, "inner_lip_6"), 10.5, 1e-9);
   EXPECT_EQ(y_of(found, "lip_3"), y_of(rest, "lip_3"));
+}
+
+// In blurred and hard pictures half of every lip was taken for the mouth's hollow, and the mouth gaped.
+TEST(LipThickness, IsHardlyThinnerThanAtRestWhateverOpenMouthsShow) {
+  const Landmarks rest = mouth(8, 0, 12), found = lip_thickness(frames(8, mouth(4, 14, 6), rest), rest);
+  EXPECT_NEAR(y_of(found, "inner_lip_2") - y_of(found, "lip_3"), 0.8 * 8, 1e-9);
+  EXPECT_NEAR(y_of(found, "lip_9") - y_of(found, "inner_lip_6"), 0.8 * 12, 1e-9);
 }
 
 TEST(LipThickness, IsThatOfRestWhereATongueLooksLikeALip) {
