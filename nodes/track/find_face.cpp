@@ -99,7 +99,9 @@ FaceMatch find_face(const Grey& grey, const Landmarks& points, const Image& face
   return match;
 }
 
-bool is_even(const Grey& grey) { return moments_of(grey, grey).aa < 9; }
+double spread_of(const Grey& grey) { return std::sqrt(std::max(0.0, moments_of(grey, grey).aa)); }
+
+bool is_even(const Grey& grey) { return spread_of(grey) < 3; }
 
 bool is_cut(const Grey& before, const Grey& now) {
   if (before.width != now.width || before.height != now.height) return true;

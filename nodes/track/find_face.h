@@ -19,6 +19,9 @@ struct FaceMatch {
 // Looks for the picture of learn_face(_, points) anywhere in a frame, as large and as upright as it was.
 FaceMatch find_face(const Grey& grey, const Landmarks& points, const Image& face);
 
+// Deviation of a picture's grey values.
+double spread_of(const Grey& grey);
+
 // Nothing can be seen in a frame without contrast: black, white or a fade's end. Deviation below 3 grey levels.
 bool is_even(const Grey& grey);
 

@@ -79,7 +79,9 @@ struct TrackKltResult {
 // A point that is not valid goes with the others to where they say that it is, within the picture; where nothing is
 // seen it keeps its place. Rigid points that are not seen go with those that are, so that a blink does not leave the
 // turn of the head to the tip of the nose. A frame without contrast, after a cut, or in which neither the head nor a
-// third of the points are seen is not valid, until the face is found again, as large and as upright as at the start.
+// third of the points are seen is not valid, until the face is found again, as large and as upright as at the start. A
+// head that suddenly looks otherwise than in the frame before is a cut, too, even where every point is seen in it:
+// another speaker who sits alike. It is found again where it looks as at the start.
 //
 // A correction replaces a point from its frame to the next correction of the same point: it is followed from there,
 // with the patch that it has there, between the other points as they are without corrections. So a correction changes

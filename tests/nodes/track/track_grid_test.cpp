@@ -2,6 +2,7 @@
 // The six clips of the real material, from the film to the points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -80,6 +81,30 @@ TEST_P(TrackGrid, KeepsThePointsOnTheFaceThroughAllFrames) {
     }
   }
   EXPECT_LE(lost / (75 * 18), 0.04);  // measured: 0.004 to 0.030
+}
+
+// Speakers who sit alike were followed from one to the other, without a point being lost.
+TEST(TrackGridCuts, AnotherSpeakerIsNotBelieved) {
+  DATA_FILE(data, "grid");
+  const auto clip = [&](const char* name) { return test::read_frames(data + "/" + name + ".mpg"); };
+  for (const auto& [one, other] : {std::pair{"bbaf2n", "swwp2s"}, {"lrwp9a", "lbax4n"}, {"pwij3p", "brbk7n"}}) {
+    auto frames = clip(one);
+    const auto others = clip(other);
+    const std::ptrdiff_t cut = 10, back = 14;
+    std::copy(others.begin() + cut, others.begin() + back, frames.begin() + cut);
+    frames.resize(20);
+    const auto start = decode::read_landmarks(engine::File::at(data + "/" + one + ".landmarks.json")).landmarks;
+    const auto tracked = test::track_frames(frames, start);
+    for (std::size_t i = 0; i < tracked.size(); ++i) {
+      const bool same = i < cut || i >= back;
+      EXPECT_EQ(tracked[i].valid, same) << one << " to " << other << ", frame " << i << ": " << tracked[i].state;
+      if (!same) {
+        EXPECT_EQ(tracked[i].lost, 18) << other << ' ' << i;
+      }
+    }
+    EXPECT_EQ(tracked[cut].state, "cut") << other;
+    EXPECT_EQ(tracked[back].state, "found") << other;
+  }
 }
 
 // Cameras of today show a mouth of hundreds of pixels: patches of 15 px lost eyes and chin.

@@ -236,6 +236,41 @@ TEST(TrackKlt, ACorrectionChangesNoOtherPointAndNothingFromThePointsNextOneOn) {
   EXPECT_EQ(with[3].confidence.values, without[3].confidence.values);
 }
 
+// Points are placed on the first frame that shows something; what was learnt from the black one before was never found.
+TEST(TrackKlt, BeginsWhereABlackFilmBegins) {
+  const auto black = std::make_shared<const Image>(Image{160, 120, 3, std::vector<std::uint8_t>(160 * 120 * 3, 3)});
+  TrackKltResult result = first(black);
+  EXPECT_EQ(result.state, "even");
+  EXPECT_FALSE(result.valid);
+  EXPECT_EQ(result.lost, 12);
+  result = next(black, black, result);
+  EXPECT_EQ(result.state, "even");
+  const auto before = picture(0, 0), after = picture(2, 1);
+  result = next(black, before, result);
+  EXPECT_EQ(result.state, "start");
+  EXPECT_EQ(result.lost, 0);
+  result = next(before, after, result);
+  EXPECT_EQ(result.state, "followed");
+  for (std::size_t i = 0; i < result.landmarks.points.size(); ++i)
+    EXPECT_NEAR(result.landmarks.points[i].x_px, points().points[i].x_px + 2, 0.1) << i;
+}
+
+TEST(TrackKlt, BeginsAgainWhileTheFilmIsFadedIn) {
+  const auto lit = [](double share) {
+    Image image = *picture(0, 0);
+    for (std::uint8_t& value : image.pixels) value = static_cast<std::uint8_t>(share * value);
+    return std::make_shared<const Image>(std::move(image));
+  };
+  const auto dark = lit(0.2), dim = lit(0.6), full = lit(1);
+  TrackKltResult result = first(dark);
+  result = next(dark, dim, result);
+  EXPECT_EQ(result.state, "start");
+  result = next(dim, full, result);
+  EXPECT_EQ(result.state, "start");
+  EXPECT_EQ(result.patches.pixels, first(full).patches.pixels);
+  EXPECT_EQ(next(full, full, result).state, "followed");
+}
+
 TEST(TrackKlt, NamesABlackFrameAndFindsThePointsAfterIt) {
   const auto before = picture(0, 0), after = picture(9, -6);
   const auto black = std::make_shared<const Image>(Image{160, 120, 3, std::vector<std::uint8_t>(160 * 120 * 3, 3)});
