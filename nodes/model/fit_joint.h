@@ -36,6 +36,7 @@ struct Joint {
   std::vector<double> identity, albedo;
   std::vector<std::vector<double>> gaps;
   std::vector<Picture> pictures;
+  bool mirror_held = false;  // what skin mirrors stays as it is
 
   PixelColumns columns() const { return {basis.identities, basis.albedos, basis.expressions, true}; }
   std::size_t shared() const { return basis.identities + basis.albedos; }

@@ -18,6 +18,26 @@ inline double light_at(const FaceLight& light, std::size_t channel, double cosin
          static_cast<double>(light.parallel[channel]) * std::max(0.0, cosine);
 }
 
+// What skin mirrors of parallel light, in Blinn's lobes (Models of Light Reflection for Computer Synthesized Pictures,
+// 1977): the cosine between the normal and the half of the directions to light and eye, to the powers 8 and 32. Made
+// skin has a lobe between the two.
+struct Lobes {
+  std::array<double, 2> value{}, slope{};  // slope: by the cosine
+};
+
+inline Lobes lobes_at(double cosine) {
+  Lobes lobes;
+  if (cosine <= 0) return lobes;
+  double power = cosine;
+  for (int i = 0; i < 3; ++i) power *= power;
+  lobes.value[0] = power;
+  lobes.slope[0] = 8 * power / cosine;
+  for (int i = 0; i < 2; ++i) power *= power;
+  lobes.value[1] = power;
+  lobes.slope[1] = 32 * power / cosine;
+  return lobes;
+}
+
 // The picture's sRGB values of a lit albedo, by the formula at FaceLight.
 inline std::array<double, 3> shown(const FaceLight& light, const std::array<double, 3>& lit) {
   std::array<double, 3> e, value;

@@ -94,6 +94,8 @@ FaceLight moved(const FaceLight& light, const double* step) {
     result.gain[c] = std::max(0.05f, light.gain[c] + static_cast<float>(step[9 + c]));
     result.offset[c] = light.offset[c] + static_cast<float>(step[12 + c]);
   }
+  for (std::size_t k = 0; k < light.mirror.size(); ++k)
+    result.mirror[k] = std::max(0.0f, light.mirror[k] + static_cast<float>(step[first_mirror + k]));
   result.contrast = std::max(0.05f, light.contrast + static_cast<float>(step[8]));
   const Vec3 d = vec(light.direction);
   const auto [first, second] = tangents(d);
@@ -174,8 +176,12 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
   const Vec3 light_in_camera = vec(state.light.direction);
   const Vec3 light = rotation.transpose() * light_in_camera;
   const auto light_turns = tangents(light_in_camera);
+  const bool is_mirrored = columns.light || state.light.mirror != Vec2f{0, 0};
   const bool is_shaded = columns.shading || state.shading != std::array<double, shading_parameters>{};
   const Vec3 eye = vec(camera.position_mm);
+  // How the eye moves with the logarithm of the focal length: away, so that the head stays as large.
+  const Vec3 forward = rotation.row(2);
+  const Vec3 eye_by_focal = -forward.dot(Vec3(pose.centre_mm[0], pose.centre_mm[1], pose.centre_mm[2]) - eye) * forward;
   const std::size_t shapes = basis.shapes();
   std::size_t overexposed = 0, dark = 0;
   double brightness = 0;
@@ -211,12 +217,26 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       for (std::size_t i = 0; i < 3; ++i) share += static_cast<double>(bary[i]) * state.seen[triangle[i]];
     }
     const double cosine = normal.dot(light);
+    Vec3 halfway = Vec3::Zero();
+    Lobes lobes;
+    double mirrored = 0, mirrored_slope = 0;  // of the parallel light; by the cosine of normal and halfway
+    const double half_length = std::max(1e-9, (light + to_eye).norm());
+    if (is_mirrored && skin_point.mirrors && cosine > 0) {
+      halfway = (light + to_eye) / half_length;
+      lobes = lobes_at(normal.dot(halfway));
+      for (std::size_t k = 0; k < lobes.value.size(); ++k) {
+        lobes.value[k] *= share;
+        mirrored += static_cast<double>(state.light.mirror[k]) * lobes.value[k];
+        mirrored_slope += static_cast<double>(state.light.mirror[k]) * share * lobes.slope[k];
+      }
+    }
     std::array<double, 3> lit, e, strength;
     double grey = 0;
     Rows3 by_lit;
     for (std::size_t c = 0; c < 3; ++c) {
       strength[c] = light_at(state.light, c, share * cosine);
-      lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)];
+      lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)] +
+               mirrored * static_cast<double>(state.light.parallel[c]);
       e[c] = srgb_of(lit[c]);
       grey += luma[c] * e[c];
     }
@@ -233,6 +253,11 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       for (Eigen::Index k = 0; k < 3; ++k)
         by_cosine += by_lit.col(k) * (share * reflectance[k] * state.light.parallel[static_cast<std::size_t>(k)]);
 
+    Vec3 by_mirrored = Vec3::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k)
+      by_mirrored += by_lit.col(k) * static_cast<double>(state.light.parallel[static_cast<std::size_t>(k)]);
+    const Vec3 by_halfway = mirrored_slope * by_mirrored;
+
     // Edges of the triangle and the dual basis in its plane.
     const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
     const Vec3 edge2 = vec(posed[triangle[2]]) - vec(posed[triangle[0]]);
@@ -244,6 +269,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       dual2 = (g11 * edge2 - g12 * edge1) / det;
     }
     const Vec3 turn1 = -light.dot(dual1) * normal, turn2 = -light.dot(dual2) * normal;
+    const Vec3 half_turn1 = -halfway.dot(dual1) * normal, half_turn2 = -halfway.dot(dual2) * normal;
 
     const std::size_t first_row = rows.jacobian.size();
     rows.jacobian.resize(first_row + 3 * rows.columns, 0.0f);
@@ -253,6 +279,12 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     if (is_shaded) shading = shading_at({normal_in_camera.x(), normal_in_camera.y(), normal_in_camera.z()});
     double brighter = 0;
     for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
+    const Vec3 halfway_in_camera = rotation * halfway;
+    const Vec3 half_swing = normal_in_camera.cross(halfway_in_camera);
+    // Of the cosine of normal and halfway, by the light's direction and by the eye's place.
+    const Vec3 by_light = (normal_in_camera - normal.dot(halfway) * halfway_in_camera) / half_length;
+    const Vec3 by_view = rotation.transpose() * by_light;
+    const Vec3 by_eye = (by_view - by_view.dot(to_eye) * to_eye) / (eye - point).norm();
     const Vec3 swing = normal_in_camera.cross(light_in_camera);  // d cosine by a turn of the head
     for (std::size_t c = 0; c < 3; ++c) {
       const auto ci = static_cast<Eigen::Index>(c);
@@ -263,11 +295,14 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         row[columns.pose_first() + k] = static_cast<float>(gx * at.by_pose[0][k] + gy * at.by_pose[1][k]);
       for (std::size_t k = 3; k < 5; ++k) row[columns.pose_first() + k] *= static_cast<float>(level.factor);
       for (std::size_t k = 0; k < 3; ++k)
-        row[columns.pose_first() + k] -= static_cast<float>(by_cosine[ci] * swing[static_cast<Eigen::Index>(k)]);
+        row[columns.pose_first() + k] -= static_cast<float>(by_cosine[ci] * swing[static_cast<Eigen::Index>(k)] +
+                                                            by_halfway[ci] * half_swing[static_cast<Eigen::Index>(k)]);
+      row[columns.pose_first() + 6] -= static_cast<float>(by_halfway[ci] * by_eye.dot(eye_by_focal));
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const auto ai = static_cast<std::size_t>(axis);
         const double moving = gx * at.by_point[0][ai] + gy * at.by_point[1][ai];
-        const double t1 = by_cosine[ci] * turn1[axis], t2 = by_cosine[ci] * turn2[axis];
+        const double t1 = by_cosine[ci] * turn1[axis] + by_halfway[ci] * half_turn1[axis],
+                     t2 = by_cosine[ci] * turn2[axis] + by_halfway[ci] * half_turn2[axis];
         shape_weights(ci, axis) = static_cast<float>(bary[0] * moving + t1 + t2);
         shape_weights(ci, 3 + axis) = static_cast<float>(bary[1] * moving - t1);
         shape_weights(ci, 6 + axis) = static_cast<float>(bary[2] * moving - t2);
@@ -278,15 +313,18 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       if (columns.light) {
         float* const l = row + columns.light_first();
         for (std::size_t k = 0; k < 3; ++k) {
-          const double by = -by_lit(ci, static_cast<Eigen::Index>(k)) * reflectance[static_cast<Eigen::Index>(k)];
-          l[k] = static_cast<float>(by);
-          l[3 + k] = static_cast<float>(by * std::max(0.0, share * cosine));
+          const auto ki = static_cast<Eigen::Index>(k);
+          l[k] = static_cast<float>(-by_lit(ci, ki) * reflectance[ki]);
+          l[3 + k] = static_cast<float>(-by_lit(ci, ki) * (reflectance[ki] * std::max(0.0, share * cosine) + mirrored));
         }
         for (std::size_t k = 0; k < 2; ++k)
-          l[6 + k] = static_cast<float>(-by_cosine[ci] * normal_in_camera.dot(light_turns[k]));
+          l[6 + k] = static_cast<float>(-by_cosine[ci] * normal_in_camera.dot(light_turns[k]) -
+                                        by_halfway[ci] * by_light.dot(light_turns[k]));
         l[8] = static_cast<float>(-state.light.gain[c] * (e[c] - grey));
         l[9 + c] = static_cast<float>(-(state.light.contrast * e[c] + (1.0 - state.light.contrast) * grey));
         l[12 + c] = -1;
+        for (std::size_t k = 0; k < lobes.value.size(); ++k)
+          l[first_mirror + k] = static_cast<float>(-by_mirrored[ci] * lobes.value[k]);
       }
       if (columns.shading)
         for (std::size_t k = 0; k < shading_parameters; ++k)

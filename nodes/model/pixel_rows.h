@@ -47,8 +47,8 @@ struct PictureState {
 // The face's own shadow at a state.
 std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state);
 
-// Light parameters, in order: ambient 3, parallel 3, turn of the direction 2, contrast 1, gain 3, offset 3.
-inline constexpr std::size_t light_parameters = 15;
+// Light parameters, in order: ambient 3, parallel 3, turn of the direction 2, contrast 1, gain 3, offset 3, mirror 2.
+inline constexpr std::size_t light_parameters = 17, first_mirror = 15;
 FaceLight moved(const FaceLight& light, const double* step);
 
 // Which columns are wanted. Those of identity, albedo, pose (7), expression, light and shading follow each other in
@@ -81,6 +81,7 @@ struct SkinPoint {
   std::uint32_t triangle = 0;   // of the basis
   Vec3f weights = {1, 0, 0};    // of its corners
   std::optional<Vec3f> albedo;  // its own where it is known, else its corners'
+  bool mirrors = true;          // false: that colour holds what it mirrors
 };
 
 // A level as it would be filled by the skin.

@@ -39,6 +39,7 @@ void colour_points(const StartView& view, const SkinBasis& basis, std::vector<Sk
       towards[k] += static_cast<float>(state.pose.rotation[3 * row + k]) * state.light.direction[row];
   const Vec3f eye = camera_of(state.pose).position_mm;
   for (SkinPoint& point : points) {
+    point.mirrors = false;
     const auto& triangle = basis.triangles[point.triangle];
     Vec3f at{}, normal{};
     double share = 0, depth = 0, x = 0, y = 0;
@@ -65,14 +66,24 @@ void colour_points(const StartView& view, const SkinBasis& basis, std::vector<Sk
     const std::array<float, 9> seen = sample_at(view.level, x, y);
     const std::array<double, 3> lit = lit_of(state.light, {seen[0], seen[1], seen[2]});
     const double cosine = share * static_cast<double>(render::dot(normal, towards));
+    double mirrored = 0;
+    if (cosine > 0) {
+      const Vec3f halfway = render::normalized({towards[0] + ray[0], towards[1] + ray[1], towards[2] + ray[2]});
+      const Lobes lobes = lobes_at(static_cast<double>(render::dot(normal, halfway)));
+      for (std::size_t k = 0; k < lobes.value.size(); ++k)
+        mirrored += share * static_cast<double>(state.light.mirror[k]) * lobes.value[k];
+    }
     Vec3f albedo;
     bool dark = false;
     for (std::size_t c = 0; c < 3; ++c) {
       const double strength = light_at(state.light, c, cosine);
       dark = dark || strength < darkest_light;
-      albedo[c] = static_cast<float>(std::max(least_albedo, lit[c] / strength));
+      const double scattered = lit[c] - mirrored * static_cast<double>(state.light.parallel[c]);
+      albedo[c] = static_cast<float>(std::max(least_albedo, scattered / strength));
     }
-    if (!dark) point.albedo = albedo;
+    if (dark) continue;
+    point.albedo = albedo;
+    point.mirrors = true;
   }
 }
 

@@ -20,7 +20,8 @@ StartView start_view(const SkinBasis& basis, const std::vector<double>& identity
                      const Image& picture, double factor);
 
 // Gives points the reflectance that the picture shows there, the light undone; those that it does not show, or from the
-// side, or in the dark, are left as they are. basis: of the points; it may have fewer triangles than the view's.
+// side, or in the dark, keep their colours, which hold what they mirror. basis: of the points; it may have fewer
+// triangles than the view's.
 void colour_points(const StartView& view, const SkinBasis& basis, std::vector<SkinPoint>& points);
 
 }  // namespace face::model

@@ -187,6 +187,8 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   state.pose = pose_of(before.camera, turning_point(model));
   state.expression = tracked.centre;
   state.light = start.light;
+  // Highlights move over a head that turns; colours at vertices hold those of the first frame.
+  if (picture == nullptr) state.light.mirror = {0, 0};
   state.seen = shadow_of(tracked.whole, tracked.identity, state);
   PictureState first = state;
   first.pose = pose_of(start.camera, turning_point(model));
@@ -208,6 +210,7 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
     if (is_last) break;
   }
   const PictureLevel& level = sizes.frame;
+  state.light.mirror = {0, 0};
   FaceFit& fit = result.fit;
   fit.expression.assign(state.expression.begin(), state.expression.end());
   fit.camera = camera_of(state.pose);

@@ -9,6 +9,7 @@ namespace face {
 
 // How a camera turns a lit albedo into an sRGB value in [0, 1]: with L_c = ambient_c + parallel_c max(0, n . direction)
 // and e_c = srgb(L_c albedo_c), value_c = gain_c (contrast e_c + (1 - contrast) luma(e)) + offset_c.
+// To L_c albedo_c skin adds parallel_c times what it mirrors; the maps of texture.extract hold that in their albedo.
 struct FaceLight {
   Vec3f ambient = {0.6f, 0.6f, 0.6f};   // linear
   Vec3f parallel = {0.5f, 0.5f, 0.5f};  // linear
@@ -16,6 +17,7 @@ struct FaceLight {
   float contrast = 1;                   // of colour: 0 = grey
   Vec3f gain = {1, 1, 1};
   Vec3f offset = {0, 0, 0};
+  Vec2f mirror = {0, 0};  // shares of the parallel light in the two lobes that skin mirrors (nodes/model/light_model.h)
 };
 
 // A morphable model's coefficients and the circumstances under which one picture shows that face.

@@ -419,6 +419,7 @@ Makers makers() {
     fit.camera.focal_px = 120;
     fit.camera.centre_x_px = 31.5f;
     fit.camera.centre_y_px = 23.5f;
+    fit.light.mirror = {0.01f, 0.02f};
     fit.converged = true;
     fit.landmark_rms_px = 0.5;
     return fit;

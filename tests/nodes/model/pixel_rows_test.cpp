@@ -39,7 +39,7 @@ struct World {
     state.pose = moved(state.pose, {0.1, 0.4, -0.05, 0, 0, 0, 0});
     state.expression.assign(4, 0.2);
     state.light = {{0.5f, 0.6f, 0.7f}, {0.6f, 0.5f, 0.4f}, {0.5f, 0.4f, 0.7681f}, 0.9f,
-                   {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f}};
+                   {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f},  {0.02f, 0.01f}};
     Random random(1);
     std::size_t visible = 0;
     points =

@@ -35,7 +35,7 @@ struct World {
     state.pose = moved(state.pose, {0, yaw_deg * 0.01745, 0, 0, 0, 0, 0});
     state.expression.assign(4, 0.2);
     state.light = {{0.5f, 0.6f, 0.7f}, {0.6f, 0.5f, 0.4f}, {0.3f, 0.4f, 0.866f}, 0.9f,
-                   {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f}};
+                   {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f},  {0.02f, 0.03f}};
   }
   StartView view() const { return start_view(basis, identity, state, picture, 1); }
   std::vector<Vec3f> posed_mm() const { return posed_skin(basis, identity, state.expression); }
@@ -67,7 +67,8 @@ TEST(StartView, HasNoColoursOfSkinThatItDoesNotShow) {
   for (const SkinPoint& point : points) {
     const float x = front.basis.mean_mm[front.basis.triangles[point.triangle][0]][0];
     coloured += point.albedo.has_value();
-    if (x < 45) continue;  // the side that turns away
+    EXPECT_EQ(point.mirrors, point.albedo.has_value());  // colours from elsewhere hold what they mirror
+    if (x < 45) continue;                                // the side that turns away
     ++hidden;
     hidden_coloured += point.albedo.has_value();
   }
