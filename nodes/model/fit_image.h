@@ -28,9 +28,9 @@ struct FitImageOptions {
 // picture's grows while its size grows (Blanz, Basso, Poggio, Vetter: Reanimating Faces in Images and Video,
 // Eurographics 2003, section 3.1, equations 5-8). Each step compares a new random set of pixels. Differs from the
 // paper: Gauss-Newton steps instead of gradient descent, two lobes of mirrored light (what shines on a ridge is taken
-// for relief without them), robust weights (what no model explains, hair above all,
-// counts little), sRGB decoded before light is computed, no lip may run into the other, a dark picture is fitted as if
-// its skin were of usual brightness (gain and offset tell), and mouths that are shut, or nearly, are tried both ways.
+// for relief without them), robust weights (what no model explains, hair above all, counts little), sRGB decoded before
+// light is computed, no lip may run into the other, a dark picture is fitted as if its skin were of usual brightness
+// (gain and offset tell), and mouths that are shut, or nearly, are tried both ways.
 FaceFit fit_image(const MorphableModel& model, const Image& picture, const Landmarks& landmarks,
                   const FitImageOptions& options = {});
 

@@ -11,6 +11,7 @@
 #include "nodes/model/fit_joint.h"
 #include "nodes/model/fit_landmarks.h"
 #include "nodes/model/landmark_basis.h"
+#include "nodes/model/light_model.h"
 #include "nodes/model/likeness.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
@@ -212,10 +213,10 @@ void apply(const Vector& step, Joint& joint) {
 // smile came out half as wide, and photographs up to 22 % farther from the model than without lobes.
 Vector solved(const Joint& joint, Normal normal) {
   Vector found = normal.a.selfadjointView<Eigen::Lower>().ldlt().solve(normal.b);
-  for (std::size_t round = 0; round < Vec2f{}.size(); ++round) {
+  for (std::size_t round = 0; round < lobe_count; ++round) {
     bool any = false;
     for (std::size_t m = 0; m < joint.pictures.size(); ++m)
-      for (std::size_t k = 0; k < Vec2f{}.size(); ++k) {
+      for (std::size_t k = 0; k < lobe_count; ++k) {
         const double now = joint.pictures[m].state.light.mirror[k];
         const auto column = static_cast<Eigen::Index>(joint.shared() + m * joint.own() + FacePose::size +
                                                       joint.basis.expressions + first_mirror + k);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double extreme_share = 0.45;
 // Of likeness: docs/measured/morphable-model.md says what right and wrong places come to.
-constexpr double least_likeness = 0.3;
+constexpr double least_likeness = 0.26;
 // Noise, a hard contrast and a painted look are nothing that light and skin explain. Where the place certainly looks
 // like a face, and the points agree, they are believed up to `hard_look` times the difference: a posterised or inked
 // face is 0.15 to 0.4 off, and of 130 wrong places none that looks like a face was kept out by the difference.

@@ -21,8 +21,9 @@ inline double light_at(const FaceLight& light, std::size_t channel, double cosin
 // What skin mirrors of parallel light, in Blinn's lobes (Models of Light Reflection for Computer Synthesized Pictures,
 // 1977): the cosine between the normal and the half of the directions to light and eye, to the powers 8 and 32. Made
 // skin has a lobe between the two.
+inline constexpr std::size_t lobe_count = 2;
 struct Lobes {
-  std::array<double, 2> value{}, slope{};  // slope: by the cosine
+  std::array<double, lobe_count> value{}, slope{};  // slope: by the cosine
 };
 
 inline Lobes lobes_at(double cosine) {

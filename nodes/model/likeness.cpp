@@ -21,14 +21,14 @@ namespace {
 constexpr double finest = 3.0 / 55, coarsest = 9.0 / 55;  // of what is compared, over the distance of the eyes
 constexpr float ambient = 0.5f, parallel = 0.7f;          // of the plain face's light
 constexpr Vec3f light = {0.0f, 0.5f, 0.866f};             // in the head's frame
-constexpr float dark_share = 0.35f;                       // of eyes and the inside of a mouth over skin
+constexpr float dark_share = 0.35f;                       // of eyes over skin
 constexpr double black = 0.05;         // what is darker counts as this dark: logarithms of it would be noise
 constexpr double usual_contrasts = 2;  // from which a contrast is cut off, over the median one
 constexpr int least_pixels = 100;
 
 struct Plain {
   cv::Mat value;   // of the plain face, 0 to 1; 32F
-  cv::Mat inside;  // of its outline, eyes and mouth among it
+  cv::Mat inside;  // of its outline, eyes among it
   cv::Mat region;  // of it, what is compared
 };
 
@@ -60,6 +60,23 @@ std::vector<float> shades(const LikenessFace& face, const std::vector<Vec3f>& no
     shade[v] = static_cast<float>(luma[0] * value[0] + luma[1] * value[1] + luma[2] * value[2]);
   }
   return shade;
+}
+
+// Of the holes in the skin those below the nose: between the lips are teeth, tongue or hollow, bright or dark.
+cv::Mat mouth_of(const LikenessFace& face, const PictureLevel& level, const cv::Mat& holes) {
+  cv::Mat mouth(holes.size(), CV_8U, cv::Scalar(0));
+  const std::vector<std::uint32_t>& marks = face.model.landmarks68;
+  if (marks.size() != 68) return mouth;
+  const std::vector<Vec3f>& mean = face.model.mean.points_mm;
+  const std::vector<render::ScreenPoint> nose = render::project(
+      camera_of(scaled(face.state.pose, level.factor)), {mean[marks[27]], mean[marks[33]]});  // its root and its base
+  const cv::Point2f root(nose[0].x_px, nose[0].y_px), base(nose[1].x_px, nose[1].y_px);
+  for (int y = 0; y < holes.rows; ++y)
+    for (int x = 0; x < holes.cols; ++x) {
+      const cv::Point2f place(static_cast<float>(x), static_cast<float>(y));
+      if ((place - base).dot(root - base) < 0) mouth.at<std::uint8_t>(y, x) = holes.at<std::uint8_t>(y, x);
+    }
+  return mouth;
 }
 
 Plain draw(const LikenessFace& face, const PictureLevel& level) {
@@ -107,7 +124,10 @@ Plain draw(const LikenessFace& face, const PictureLevel& level) {
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(skin, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   cv::drawContours(plain.inside, outlines, -1, cv::Scalar(255), cv::FILLED);
-  const cv::Mat holes = plain.inside & ~skin;
+  cv::Mat holes = plain.inside & ~skin;
+  const cv::Mat mouth = mouth_of(face, level, holes);
+  plain.inside &= ~mouth;
+  holes &= ~mouth;
   plain.value.setTo(dark_share * median(values), holes);
   plain.region |= holes;
   return plain;

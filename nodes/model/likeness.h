@@ -8,9 +8,9 @@
 namespace face::model {
 
 // What is compared with a picture. The plain face has the fit's shape, the mean person's albedo, light from in front
-// and above, and dark eyes and mouth: eyes darker than cheeks, lips darker than chin, nose brighter than both, as in
-// every light (Sinha, Object Recognition via Image Invariants, 1994, compares such regions). Not the fitted light and
-// albedo: they explain a wall as well, and where a picture is dark or full of noise they are what is wrong.
+// and above, and dark eyes: eyes darker than cheeks, lips darker than chin, nose brighter than both, as in every light
+// (Sinha, Object Recognition via Image Invariants, 1994, compares such regions). Not the fitted light and albedo: they
+// explain a wall as well, and where a picture is dark or full of noise they are what is wrong.
 struct LikenessFace {
   const MorphableModel& model;
   const SkinBasis& basis;
@@ -23,9 +23,10 @@ struct LikenessFace {
 };
 
 // Whether a picture looks like a face where it is said to be: the correlation, -1 to 1, of the picture and of the face
-// drawn there, both without what is finer or coarser than eyes, nose and lips; 0 where nothing is seen. Of logarithms,
-// so that a picture's gain and gamma count little; what is far beyond its usual contrast is cut off. Below the brows
-// only: hair over the forehead has more edges than all of the face. level: of the picture, at about likeness_eyes_px.
+// drawn there, both without what is finer or coarser than eyes, nose and lips, and without what lies between lips,
+// which may be teeth; 0 where nothing is seen. Of logarithms, so that a picture's gain and gamma count little; what is
+// far beyond its usual contrast is cut off. Below the brows only: hair over the forehead has more edges than all of the
+// face. level: of the picture, at about likeness_eyes_px.
 double likeness(const LikenessFace& face, const PictureLevel& level);
 
 inline constexpr double likeness_eyes_px = 55;  // distance of the outer corners of the eyes on the level
