@@ -103,7 +103,8 @@ std::vector<NodeInfo> make_structural_nodes() {
   nodes.push_back(where);
 
   NodeInfo pick = node(Structural::pick, "seq.pick", "One element, by an id that a node finds or a parameter gives.");
-  pick.inputs = {input("sequence", "", 1, "A sequence"), input("id", "text", 0, "Id of the element, as a node found it")};
+  pick.inputs = {input("sequence", "", 1, "A sequence"),
+                 input("id", "text", 0, "Id of the element, as a node found it")};
   pick.inputs[1].optional = true;
   pick.params = {param("element", ParamKind::string, false, std::string(), "", 0, 0,
                        "Id of the element, where no node gives one; empty = the first")};

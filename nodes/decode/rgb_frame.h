@@ -10,8 +10,8 @@ struct SwsContext;
 
 namespace face::decode {
 
-// Converts decoded frames of one size and pixel format to 8-bit sRGB. Unmarked video is BT.709 from 720 lines on, BT.601
-// below, as every player assumes.
+// Converts decoded frames of one size and pixel format to 8-bit sRGB. Unmarked video is BT.709 from 720 lines on,
+// BT.601 below, as every player assumes.
 class RgbConverter {
  public:
   // For frames like this one. with_alpha: RGBA where the format has transparency, which is left out otherwise. Throws,

@@ -5,5 +5,5 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.mean_shape", &mean_shape, version{1}, doc{"The mean of many shapes."}, input{"shapes", "Shapes of one mesh"},
-     output("shape", "Their mean"));
+NODE("model.mean_shape", &mean_shape, version{1}, doc{"The mean of many shapes."},
+     input{"shapes", "Shapes of one mesh"}, output("shape", "Their mean"));

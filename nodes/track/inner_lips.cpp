@@ -18,10 +18,11 @@ namespace face::track {
 namespace {
 
 constexpr int samples = lip_line_samples;
-constexpr double band_from = 0.06, band_to = 0.2;                   // of it, from each end: surely lip
-constexpr double edge = 0.1;                                        // of it, at each end: never the mouth's hollow
-constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};  // of a lip's colour, usual contrast: light, grain, coding
-constexpr double most_unlike = 8;                                   // a reflex on a tooth is not more than a tooth
+constexpr double band_from = 0.06, band_to = 0.2;  // of it, from each end: surely lip
+constexpr double edge = 0.1;                       // of it, at each end: never the mouth's hollow
+// Of a lip's colour in a film of usual contrast: light, grain, coding.
+constexpr std::array<double, 3> least_deviation{0.12, 0.12, 0.18};
+constexpr double most_unlike = 8;  // a reflex on a tooth is not more than a tooth
 constexpr double most_like = 0.3;  // what is like a lip hardly counts: the tongue is, between teeth and lower lip
 
 using Colour = LipColour;
