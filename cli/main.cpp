@@ -78,8 +78,8 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error, con
 }  // namespace
 
 int main(int count, char** words) {
-  // Large values come and go, pictures of 640 x 480 among them: their memory shall go back to the system.
-  ::mallopt(M_MMAP_THRESHOLD, 256 << 10);
+  // Large values come and go: their memory shall go back to the system.
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
 
   CLI::App app{"Facegraph: runs a graph of nodes, and of it only what has changed."};

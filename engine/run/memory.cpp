@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values in memory: asked for, held, given up.
+#include <malloc.h>
+
 #include <algorithm>
 
 #include "engine/run/session.h"
 
 namespace engine::run {
+namespace {
+
+constexpr std::size_t trim_every_bytes = 256 << 20;
+
+// What one thread's heap has given up is of no use to the others, which grow on beside it: a second pass over a film
+// took as much again as the first. Heaps in which values come and go at one pace have little to give back.
+void trim_heaps() {
+  if (::mallinfo2().fordblks > trim_every_bytes) ::malloc_trim(0);
+}
+
+}  // namespace
 
 bool Session::available(Tree* leaf) {
   return leaf->source || leaf->value || (!leaf->cheap && leaf->has_identity && store_.has(leaf->identity));
@@ -79,6 +92,11 @@ void Session::drop_value(Tree* leaf) {
   if (!leaf->value || leaf->source) return;
   used_ -= static_cast<std::int64_t>(leaf->bytes);
   leaf->value = {};
+  dropped_ += leaf->bytes;
+  if (dropped_ >= trim_every_bytes) {
+    dropped_ = 0;
+    trim_heaps();
+  }
   tell_blocked();
 }
 

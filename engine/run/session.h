@@ -341,6 +341,7 @@ class Session {
   std::atomic<bool> stopped_ = false;  // written under the lock; running nodes look at it without
   std::int64_t budget_ = 0;
   std::int64_t used_ = 0;
+  std::size_t dropped_ = 0;  // bytes since the heaps were looked at
   std::deque<Tree*> resident_;  // leaves that hold a value, oldest first
   RunCounts counts_;
   std::size_t known_tasks_ = 0;
