@@ -59,9 +59,8 @@ void Rearrangement::start() {
   const Structural kind = session_.node(node_).info->structural;
   for (auto& port : inputs_)
     for (Tree* tree : port) {
-      const bool as_it_grows = kind != Structural::list_files && kind != Structural::merge &&
-                               kind != Structural::where && !(kind == Structural::pick && &port == &inputs_[1]);
-      if (as_it_grows)
+      const bool is_id = kind == Structural::pick && &port != &inputs_.front();
+      if (kind != Structural::list_files && kind != Structural::merge && kind != Structural::where && !is_id)
         session_.watch_growth(tree, this);
       else if (!session_.watch_settling(tree, this))
         update(tree);

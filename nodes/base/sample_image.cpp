@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/base/keys_cubic.h"
+
 namespace face {
 namespace {
 
 void cubic(double t, float* w) {
-  const double t2 = t * t, t3 = t2 * t;
-  w[0] = static_cast<float>((-t3 + 2 * t2 - t) / 2);
-  w[1] = static_cast<float>((3 * t3 - 5 * t2 + 2) / 2);
-  w[2] = static_cast<float>((-3 * t3 + 4 * t2 + t) / 2);
-  w[3] = static_cast<float>((t3 - t2) / 2);
+  const std::array<double, 4> weights = keys_weights(t);
+  for (std::size_t i = 0; i < weights.size(); ++i) w[i] = static_cast<float>(weights[i]);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/keys_cubic.h"
 
 namespace face::flow {
 namespace {
@@ -75,14 +76,9 @@ std::vector<std::uint8_t> within_measured(const Plane& share) {
   return within;
 }
 
-std::array<float, 4> cubic_weights(float t) {
-  const float s = 1 - t;
-  return {-0.5f * t * s * s, 1 + t * t * (1.5f * t - 2.5f), 1 + s * s * (1.5f * s - 2.5f), -0.5f * s * t * t};
-}
-
 // Between the pixel at p, its right and lower neighbours.
 float cubic_at(const float* p, int width, float fx, float fy) {
-  const std::array<float, 4> wx = cubic_weights(fx), wy = cubic_weights(fy);
+  const std::array<float, 4> wx = keys_weights(fx), wy = keys_weights(fy);
   float sum = 0;
   for (int j = 0; j < 4; ++j) {
     const float* row = p + (j - 1) * width - 1;

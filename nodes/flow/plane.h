@@ -43,8 +43,8 @@ void box_mean(Plane& plane, int radius);
 
 enum class Between { linear, cubic };
 
-// value(x + u, y + v) for every pixel, between pixels bilinear, or by the cubic of Keys (Cubic Convolution
-// Interpolation for Digital Image Processing, 1981, Eq. 15, a = -1/2) where all of its 16 pixels are measured; share
+// value(x + u, y + v) for every pixel, between pixels bilinear, or by the cubic of Keys (keys_cubic.h) where
+// all of its 16 pixels are measured; share
 // becomes 0 where a neighbour outside the picture or without measurement is needed by the bilinear one.
 void warp(const Level& level, const Plane& u, const Plane& v, Level& warped, Between between = Between::linear);
 

@@ -7,7 +7,7 @@
 using namespace engine::declare;
 using namespace face::flow;
 
-NODE("flow.scan", &scan_flow, version{2},
+NODE("flow.scan", &scan_flow, version{3},
      doc{"Dense correspondence of scans by radius and grey value together: the flow of Bergen and Hingorani with "
          "Blanz and Vetter's relaxation, as Bargmann, Blanz and Seidel use them."},
      input{"reference", "The scan whose pixels are followed"}, input{"target", "The scan they are found in"},

@@ -24,12 +24,7 @@ struct World {
   cv::Mat picture;
 
   World() {
-    const Vec3f centre = turning_point(test::head_model());
-    for (std::size_t k = 0; k < 3; ++k) state.pose.centre_mm[k] = centre[k];
-    state.pose.u_px = state.pose.v_px = 120;
-    state.pose.middle_x_px = state.pose.middle_y_px = 119.5;
-    state.pose.log_scale = std::log(1.1);
-    state.pose.log_focal = std::log(600);
+    state.pose = test::pose_in_front();
     float widest = 0;
     for (std::size_t k = 0; k < 4; ++k)
       for (const float sigmas : {-2.5f, 2.5f}) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nodes/base/random.h"
+#include "nodes/model/face_pose.h"
 #include "nodes/model/from_rig.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/phantom/identity_modes.h"
@@ -32,6 +33,18 @@ inline const face::MorphableModel& head_model() {
     return face::model::from_rig(head(), &modes, {.samples = 200, .skins = 40});
   }();
   return model;
+}
+
+// The model's head upright in the middle of a picture of 240 x 240 pixels.
+inline face::model::FacePose pose_in_front() {
+  face::model::FacePose pose;
+  const face::Vec3f centre = face::model::turning_point(head_model());
+  for (std::size_t k = 0; k < 3; ++k) pose.centre_mm[k] = centre[k];
+  pose.u_px = pose.v_px = 120;
+  pose.middle_x_px = pose.middle_y_px = 119.5;
+  pose.log_scale = std::log(1.1);
+  pose.log_focal = std::log(600);
+  return pose;
 }
 
 // A scene: the head turned by yaw before a camera that stands on the z axis.

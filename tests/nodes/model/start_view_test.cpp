@@ -26,13 +26,7 @@ struct World {
         for (int c = 0; c < 3; ++c)
           picture.pixels[static_cast<std::size_t>((y * 240 + x) * 3 + c)] =
               static_cast<std::uint8_t>(130 + 50 * std::sin(x * 1.1 + c) * std::cos(y * 0.9));
-    const Vec3f centre = turning_point(test::head_model());
-    for (std::size_t k = 0; k < 3; ++k) state.pose.centre_mm[k] = centre[k];
-    state.pose.u_px = state.pose.v_px = 120;
-    state.pose.middle_x_px = state.pose.middle_y_px = 119.5;
-    state.pose.log_scale = std::log(1.1);
-    state.pose.log_focal = std::log(600);
-    state.pose = moved(state.pose, {0, yaw_deg * 0.01745, 0, 0, 0, 0, 0});
+    state.pose = moved(test::pose_in_front(), {0, yaw_deg * 0.01745, 0, 0, 0, 0, 0});
     state.expression.assign(4, 0.2);
     state.light = {{0.5f, 0.6f, 0.7f}, {0.6f, 0.5f, 0.4f}, {0.3f, 0.4f, 0.866f}, 0.9f,
                    {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f},  {0.02f, 0.03f}};
