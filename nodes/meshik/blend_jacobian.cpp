@@ -44,7 +44,7 @@ Vector rotate(const Vector& v, const Vector& w, const Lanes& first, const Lanes&
 }  // namespace
 
 void blend_derivative(const MeshSpace& space, std::size_t tile, std::size_t k, const BlendTile& blend,
-                      double (&derivative)[2][3][tile_lanes]) {
+                      TileVectors& derivative) {
   const double* parts = &space.blends[(tile * static_cast<std::size_t>(space.example_count) + k) * 9 * n];
   const Vector w = vector(blend.rotation);
   const Lanes sine = lanes(blend.sine), cosine = lanes(blend.cosine);
@@ -60,8 +60,8 @@ void blend_derivative(const MeshSpace& space, std::size_t tile, std::size_t k, c
   }
 }
 
-void add_blend_gradient(const MeshSpace& space, std::size_t tile, const BlendTile& blend,
-                        const double (&residual)[2][3][tile_lanes], double* gradient) {
+void add_blend_gradient(const MeshSpace& space, std::size_t tile, const BlendTile& blend, const TileVectors& residual,
+                        double* gradient) {
   const auto examples = static_cast<std::size_t>(space.example_count);
   const Vector w = vector(blend.rotation);
   const Lanes sine = lanes(blend.sine), cosine = lanes(blend.cosine);

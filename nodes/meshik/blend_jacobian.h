@@ -8,10 +8,10 @@ namespace face::meshik {
 //   d/da_k exp[w]x p = [J(w) w_k]x exp[w]x p + exp[w]x d_k.
 // derivative: 2 x 3 x 8 for example k.
 void blend_derivative(const MeshSpace& space, std::size_t tile, std::size_t k, const BlendTile& blend,
-                      double (&derivative)[2][3][tile_lanes]);
+                      TileVectors& derivative);
 
 // gradient_k += sum over the tile of (d M q / d a_k) . residual, for all examples at once.
-void add_blend_gradient(const MeshSpace& space, std::size_t tile, const BlendTile& blend,
-                        const double (&residual)[2][3][tile_lanes], double* gradient);
+void add_blend_gradient(const MeshSpace& space, std::size_t tile, const BlendTile& blend, const TileVectors& residual,
+                        double* gradient);
 
 }  // namespace face::meshik

@@ -25,7 +25,7 @@ void series(const Lanes& s, Lanes& sine, Lanes& cosine) {
 }  // namespace
 
 void blend_tile(const MeshSpace& space, std::size_t tile, const double* weights, BlendTile& blend) {
-  const auto examples = tile < moving_tile_count(space) ? static_cast<std::size_t>(space.example_count) : 0;
+  const auto examples = static_cast<std::size_t>(space.example_count);
   const double* q = &space.frames[tile * 6 * n];
   const double* parts = space.blends.data() + tile * examples * 9 * n;
   Lanes sum[9];

@@ -31,7 +31,13 @@ inline HatGradients hat_gradients(const MeshSpace& space, std::size_t triangle) 
   return {{{-a - c, -b - d}, {a, b}, {c, d}}};
 }
 
-// M(F; a) of eight triangles, by what it does to their two unit vectors.
+// The two unit vectors of eight triangles, which is what the blend leaves of them where no example changes them.
+using TileVectors = double[2][3][tile_lanes];
+inline const TileVectors& frame_tile(const MeshSpace& space, std::size_t tile) {
+  return reinterpret_cast<const TileVectors&>(space.frames[tile * 6 * tile_lanes]);
+}
+
+// M(F; a) of eight triangles that some example changes, by what it does to their two unit vectors.
 struct BlendTile {
   double rotation[3][tile_lanes];      // w = sum_i a_i log R_i
   double stretched[2][3][tile_lanes];  // (I + sum_i a_i (S_i - I)) q

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/meshik/factor_space.h"
@@ -12,6 +13,8 @@ namespace face::meshik {
 namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+using Four [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -33,23 +36,46 @@ ConstraintSolver::ConstraintSolver(const MeshSpace& space, const VertexTargets& 
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) fail("vertex ", *twice, " is a target twice, expected every vertex at most once");
 
-  const std::size_t count = free_count(space), columns = vertices_.size();
-  lower_.assign(count * columns, 0.0);
-  std::vector<double> four(4 * count);
-  for (std::size_t first = 0; first < columns; first += 4) {
-    std::fill(four.begin(), four.end(), 0.0);
-    const std::size_t lanes = std::min<std::size_t>(4, columns - first);
-    for (std::size_t l = 0; l < lanes; ++l)
-      if (space.order[vertices_[first + l]] < count) four[4 * space.order[vertices_[first + l]] + l] = 1;
-    solve_lower(space, four.data());
-    for (std::size_t v = 0; v < count; ++v)
-      for (std::size_t l = 0; l < lanes; ++l) lower_[v * columns + first + l] = four[4 * v + l];
-  }
-  const Eigen::Map<const RowMatrix> lower(lower_.data(), index(count), index(columns));
+  reach();
+  const std::size_t columns = vertices_.size();
+  const Eigen::Map<const RowMatrix> lower(lower_.data(), index(reached_.size()), index(columns));
   schur_.resize(columns * columns);
   Eigen::Map<RowMatrix>(schur_.data(), index(columns), index(columns)).noalias() = lower.transpose() * lower;
   make_axis(all, xy_);
   make_axis(with_z, z_);
+}
+
+void ConstraintSolver::reach() {
+  const std::size_t count = free_count(space_), columns = vertices_.size();
+  constexpr std::uint32_t nowhere = 0xFFFFFFFF;
+  std::vector<std::uint32_t> place(count, nowhere);
+  // From every target up the elimination tree, where a column's parent is its first row below the diagonal.
+  for (const std::uint32_t v : vertices_) {
+    std::size_t j = space_.order[v];
+    while (j < count && place[j] == nowhere) {
+      place[j] = 0;
+      const std::uint32_t next = space_.column_starts[j] + 1;
+      j = next < space_.column_starts[j + 1] ? space_.rows[next] : count;
+    }
+  }
+  for (std::uint32_t j = 0; j < count; ++j)
+    if (place[j] != nowhere) {
+      place[j] = static_cast<std::uint32_t>(reached_.size());
+      reached_.push_back(j);
+    }
+  lower_.assign(reached_.size() * columns, 0.0);
+  for (std::size_t i = 0; i < columns; ++i)
+    if (space_.order[vertices_[i]] < count) lower_[place[space_.order[vertices_[i]]] * columns + i] = 1;
+  for (std::size_t r = 0; r < reached_.size(); ++r) {
+    double* const pivot = &lower_[r * columns];
+    std::uint32_t p = space_.column_starts[reached_[r]];
+    const std::uint32_t end = space_.column_starts[reached_[r] + 1];
+    for (std::size_t i = 0; i < columns; ++i) pivot[i] *= space_.values[p];
+    for (++p; p < end; ++p) {
+      double* const row = &lower_[place[space_.rows[p]] * columns];
+      for (std::size_t i = 0; i < columns; ++i) row[i] -= space_.values[p] * pivot[i];
+    }
+  }
 }
 
 void ConstraintSolver::make_axis(const std::vector<std::size_t>& chosen, AxisConstraints& axis) const {
@@ -73,44 +99,33 @@ void ConstraintSolver::make_axis(const std::vector<std::size_t>& chosen, AxisCon
 std::vector<double> ConstraintSolver::solve(std::vector<double>& sums, const VertexTargets& targets,
                                             const std::vector<double>& weights) const {
   solve_lower(space_, sums.data());
-  const std::size_t count = free_count(space_), columns = vertices_.size();
-  const Eigen::Map<const RowMatrix> lower(lower_.data(), index(count), index(columns));
-  Eigen::Map<RowMatrix> x(sums.data(), index(count), 4);
-  std::vector<std::vector<double>> shifts(3);
-  // Where the constrained vertices are without a pull.
-  const RowMatrix here = lower.transpose() * x.leftCols(3);
-  RowMatrix pulls = RowMatrix::Zero(index(columns), 3);
+  const std::size_t columns = vertices_.size();
+  Four* const x = reinterpret_cast<Four*>(sums.data());
+  std::vector<std::optional<double>> shift(3 * part_count(space_));
+  // Where the constrained vertices are without a pull, and the pulls: x, y, z and a spare number of each.
+  std::vector<double> here_of(4 * columns, 0.0), pulls_of(4 * columns, 0.0);
+  Four* const here = reinterpret_cast<Four*>(here_of.data());
+  Four* const pulls = reinterpret_cast<Four*>(pulls_of.data());
+  for (std::size_t r = 0; r < reached_.size(); ++r)
+    for (std::size_t i = 0; i < columns; ++i) here[i] += lower_[r * columns + i] * x[reached_[r]];
   for (std::size_t d = 0; d < 3; ++d) {
     const AxisConstraints& axis = this->axis(d);
     const std::size_t n = axis.targets.size(), size = n + axis.parts.size();
     Eigen::VectorXd gap = Eigen::VectorXd::Zero(index(size));
     for (std::size_t i = 0; i < n; ++i) {
       const VertexTarget& target = targets.targets[axis.targets[i]];
-      gap[index(i)] = (d == 0   ? target.x_mm
-                       : d == 1 ? target.y_mm
-                                : target.z_mm) -
-                      here(index(axis.targets[i]), index(d));
+      gap[index(i)] = (d == 0 ? target.x_mm : d == 1 ? target.y_mm : target.z_mm) - here[axis.targets[i]][d];
     }
     const Eigen::VectorXd answer = Eigen::Map<const RowMatrix>(axis.inverse.data(), index(size), index(size)) * gap;
-    for (std::size_t i = 0; i < n; ++i) pulls(index(axis.targets[i]), index(d)) = answer[index(i)];
-    shifts[d].assign(answer.data() + n, answer.data() + size);
+    for (std::size_t i = 0; i < n; ++i) pulls[axis.targets[i]][d] = answer[index(i)];
+    for (std::size_t i = n; i < size; ++i) shift[3 * axis.parts[i - n] + d] = answer[index(i)];
   }
-  x.leftCols(3).noalias() += lower * pulls;
+  for (std::size_t r = 0; r < reached_.size(); ++r)
+    for (std::size_t i = 0; i < columns; ++i) x[reached_[r]] += lower_[r * columns + i] * pulls[i];
   solve_transpose(space_, sums.data());
 
   std::vector<double> vertices = unpack_vertices(space_, sums);
-  const std::size_t parts = space_.centroids_mm.size() / 3 / (1 + static_cast<std::size_t>(space_.example_count));
-  for (std::size_t d = 0; d < 3; ++d) {
-    const AxisConstraints& axis = this->axis(d);
-    std::vector<double> shift(parts, 0.0);
-    std::vector<bool> placed(parts, false);
-    for (std::size_t i = 0; i < axis.parts.size(); ++i) {
-      shift[axis.parts[i]] = shifts[d][i];
-      placed[axis.parts[i]] = true;
-    }
-    for (std::size_t v = 0; v < space_.component.size(); ++v) vertices[3 * v + d] += shift[space_.component[v]];
-    move_centroids(space_, weights, {d == 0, d == 1, d == 2}, placed, vertices);
-  }
+  move_parts(space_, weights, shift, vertices);
   return vertices;
 }
 

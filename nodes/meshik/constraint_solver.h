@@ -28,7 +28,11 @@ class ConstraintSolver {
 
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
   const AxisConstraints& axis(std::size_t d) const { return d == 2 ? z_ : xy_; }
-  // L^-1 P c of every target: free_count x targets.
+  // Rows of L^-1 P c that are not 0 for every target, ascending: few, since a column of L^-1 is filled along one path
+  // of the elimination tree alone (Gilbert and Peierls, Sparse Partial Pivoting in Time Proportional to Arithmetic
+  // Operations, 1988).
+  const std::vector<std::uint32_t>& reached() const { return reached_; }
+  // These rows: reached x targets.
   const std::vector<double>& lower() const { return lower_; }
 
   // From the sums of gradients (free_count + 1 rows of 4) to vertices; `sums` is overwritten.
@@ -36,11 +40,12 @@ class ConstraintSolver {
                             const std::vector<double>& weights) const;
 
  private:
+  void reach();
   void make_axis(const std::vector<std::size_t>& chosen, AxisConstraints& axis) const;
 
   const MeshSpace& space_;
   const double give_mm2_;
-  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint32_t> vertices_, reached_;
   std::vector<double> lower_, schur_;  // schur: C A^-1 C'
   AxisConstraints xy_, z_;
 };

@@ -2,6 +2,7 @@
 #include "nodes/meshik/reconstruct.h"
 
 #include <cmath>
+#include <optional>
 
 #include "nodes/base/check.h"
 #include "nodes/meshik/blend_tile.h"
@@ -17,14 +18,16 @@ std::vector<double> reconstruct_vertices(const MeshSpace& space, const std::vect
   for (const double weight : weights) check(std::isfinite(weight), "a weight is ", weight, ", expected finite numbers");
   std::vector<double> x(4 * (free_count(space) + 1), 0.0);
   BlendTile blend;
-  for (std::size_t tile = 0; tile < tile_count(space); ++tile) {
+  for (std::size_t tile = 0; tile < moving_tile_count(space); ++tile) {
     blend_tile(space, tile, weights.data(), blend);
     add_gradients(space, tile, blend.blended, x.data());
   }
+  for (std::size_t tile = moving_tile_count(space); tile < tile_count(space); ++tile)
+    add_gradients(space, tile, frame_tile(space, tile), x.data());
   solve_lower(space, x.data());
   solve_transpose(space, x.data());
   std::vector<double> vertices = unpack_vertices(space, x);
-  move_centroids(space, weights, {true, true, true}, {}, vertices);
+  move_parts(space, weights, std::vector<std::optional<double>>(3 * part_count(space)), vertices);
   return vertices;
 }
 

@@ -21,39 +21,13 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-// G v - M q of a tile, at the vertices v; 0 in lanes that hold no triangle.
-double residual_of(const MeshSpace& space, std::size_t tile, const BlendTile& blend, const std::vector<double>& v,
-                   double (&residual)[2][3][tile_lanes]) {
-  const std::size_t first = tile * tile_lanes, end = std::min(first + tile_lanes, space.triangles.size() / 3);
-  const double* g = &space.gradients[tile * 4 * tile_lanes];
-  double energy = 0;
-  for (std::size_t l = 0; l < tile_lanes; ++l)
-    for (std::size_t d = 0; d < 3; ++d) {
-      if (first + l >= end) {
-        residual[0][d][l] = residual[1][d][l] = 0;
-        continue;
-      }
-      const std::uint32_t* corner = &space.triangles[3 * (first + l)];
-      const double base = v[3 * corner[0] + d], e1 = v[3 * corner[1] + d] - base, e2 = v[3 * corner[2] + d] - base;
-      for (std::size_t q = 0; q < 2; ++q) {
-        const double value = g[q * tile_lanes + l] * e1 + g[(2 + q) * tile_lanes + l] * e2 - blend.blended[q][d][l];
-        residual[q][d][l] = value;
-        energy += value * value;
-      }
-    }
-  return energy;
-}
-
 }  // namespace
 
 struct MeshIkSolver::State {
   State(const MeshSpace& s, const VertexTargets& targets, double give)
       : space(s), give_mm2(give), constraints(s, targets, give), still_sums(4 * (free_count(s) + 1), 0.0) {
-    BlendTile blend;
-    for (std::size_t tile = moving_tile_count(space); tile < tile_count(space); ++tile) {
-      blend_tile(space, tile, nullptr, blend);
-      add_gradients(space, tile, blend.blended, still_sums.data());
-    }
+    for (std::size_t tile = moving_tile_count(space); tile < tile_count(space); ++tile)
+      add_gradients(space, tile, frame_tile(space, tile), still_sums.data());
   }
 
   const MeshSpace& space;
@@ -102,17 +76,15 @@ struct MeshIkSolver::State {
     }
     vertices = constraints.solve(room.sums, targets, weights);
     if (gradient) gradient->assign(weights.size(), 0.0);
-    double energy = give_mm2 > 0 ? missed_mm2(targets, vertices) / give_mm2 : 0, residual[2][3][tile_lanes];
+    double energy = give_mm2 > 0 ? missed_mm2(targets, vertices) / give_mm2 : 0;
+    TileVectors residual;
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-      energy += residual_of(space, tile, tiles[tile], vertices, residual);
+      energy += residual_of(space, tile, tiles[tile].blended, vertices, residual);
       // dE/da = -2 J'r: the vertices are at their best, so that their own change does not count.
       if (gradient) add_blend_gradient(space, tile, tiles[tile], residual, gradient->data());
     }
-    BlendTile still;
-    for (std::size_t tile = tiles.size(); tile < tile_count(space); ++tile) {
-      blend_tile(space, tile, nullptr, still);
-      energy += residual_of(space, tile, still, vertices, residual);
-    }
+    for (std::size_t tile = tiles.size(); tile < tile_count(space); ++tile)
+      energy += residual_of(space, tile, frame_tile(space, tile), vertices, residual);
     if (gradient)
       for (double& value : *gradient) value *= -2;
     return energy;
@@ -128,7 +100,7 @@ struct MeshIkSolver::State {
       const std::size_t end = std::min(first + tiles, moving_tile_count(space));
       for (std::vector<float>& part : rows) part.assign((end - first) * tile_lanes * 2 * width, 0.0f);
       BlendTile blend;
-      double derivative[2][3][tile_lanes];
+      TileVectors derivative;
       for (std::size_t tile = first; tile < end; ++tile) {
         blend_tile(space, tile, weights.data(), blend);
         for (std::size_t k = 0; k < weights.size(); ++k) {
@@ -179,8 +151,11 @@ struct MeshIkSolver::State {
       const AxisConstraints& axis = constraints.axis(d);
       const std::size_t n = axis.targets.size(), size = n + axis.parts.size(), columns = constraints.vertices().size();
       if (n == 0) continue;
-      const Eigen::Map<const RowMatrix> lower(constraints.lower().data(), index(count), index(columns));
-      const RowMatrix moved = lower.transpose() * z.cast<double>();  // C A^-1 B
+      const std::vector<std::uint32_t>& reached = constraints.reached();
+      FloatMatrix rows(index(reached.size()), index(width));
+      for (std::size_t r = 0; r < reached.size(); ++r) rows.row(index(r)) = z.row(index(reached[r]));
+      const Eigen::Map<const RowMatrix> lower(constraints.lower().data(), index(reached.size()), index(columns));
+      const RowMatrix moved = lower.transpose() * rows.cast<double>();  // C A^-1 B
       RowMatrix chosen(index(n), index(width));
       for (std::size_t i = 0; i < n; ++i) chosen.row(index(i)) = moved.row(index(axis.targets[i]));
       const Eigen::Map<const RowMatrix> inverse(axis.inverse.data(), index(size), index(size));

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.solve", &solve, version{3},
+NODE("meshik.solve", &solve, version{4},
      doc{"Finds the blend of example poses that takes some vertices where they have to be."},
      input{"space", "The examples, from meshik.prepare"}, input{"targets", "Where vertices have to be"},
      input{"start", "Weights to begin with"},
