@@ -42,14 +42,20 @@ float Grey::at(double x, double y) const {
   return (pixel(x0, y0) * (1 - u) + pixel(x1, y0) * u) * (1 - v) + (pixel(x0, y1) * (1 - u) + pixel(x1, y1) * u) * v;
 }
 
-Grey grey_of(const Image& image) {
-  Grey grey{image.width, image.height, {}};
-  const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  const auto channels = static_cast<std::size_t>(image.channels);
-  grey.values.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint8_t* p = image.pixels.data() + i * channels;
-    grey.values[i] = channels < 3 ? p[0] : 0.299f * p[0] + 0.587f * p[1] + 0.114f * p[2];
+Grey grey_of(const Image& image) { return grey_of(image, 0, 0, image.width, image.height); }
+
+Grey grey_of(const Image& image, int left, int top, int width, int height) {
+  Grey grey{width, height, {}};
+  const auto channels = static_cast<std::size_t>(image.channels), columns = static_cast<std::size_t>(width);
+  grey.values.resize(columns * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* const p = &image.pixels[static_cast<std::size_t>((top + y) * image.width + left) * channels];
+    float* const row = &grey.values[static_cast<std::size_t>(y) * columns];
+    if (channels < 3)
+      for (std::size_t i = 0; i < columns; ++i) row[i] = p[i * channels];
+    else
+      for (std::size_t i = 0; i < columns; ++i)
+        row[i] = 0.299f * p[i * channels] + 0.587f * p[i * channels + 1] + 0.114f * p[i * channels + 2];
   }
   return grey;
 }

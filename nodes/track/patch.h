@@ -20,6 +20,9 @@ struct Grey {
 // Luma of an image (BT.601 weights; a grey image as it is).
 Grey grey_of(const Image& image);
 
+// Of a part of it that lies inside.
+Grey grey_of(const Image& image, int left, int top, int width, int height);
+
 // The square of side_px about a point, bilinear. side_px x side_px.
 std::vector<float> cut_patch(const Grey& grey, double x_px, double y_px, int side_px);
 

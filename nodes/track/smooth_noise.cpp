@@ -27,17 +27,18 @@ double noise_level(const Image& image, const Landmarks& points) {
   const int right = std::min(image.width - 2, static_cast<int>(box.right + margin_px));
   const int top = std::max(1, static_cast<int>(box.top - margin_px));
   const int bottom = std::min(image.height - 2, static_cast<int>(box.bottom + margin_px));
-  const Grey grey = grey_of(image);
+  if (left > right || top > bottom) return 0;
+  const Grey grey = grey_of(image, left - 1, top - 1, right - left + 3, bottom - top + 3);
   std::vector<double> sizes;
-  for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x) {
+  for (int y = 1; y + 1 < grey.height; ++y)
+    for (int x = 1; x + 1 < grey.width; ++x) {
       const float* row = &grey.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(grey.width) +
                                       static_cast<std::size_t>(x)];
       const float *above = row - grey.width, *below = row + grey.width;
       const float corners = above[-1] + above[1] + below[-1] + below[1], sides = above[0] + below[0] + row[-1] + row[1];
       sizes.push_back(std::abs(static_cast<double>(corners - 2 * sides + 4 * row[0])));
     }
-  return sizes.empty() ? 0 : median(std::move(sizes)) / norm / median_of_normal;
+  return median(std::move(sizes)) / norm / median_of_normal;
 }
 
 Image smooth_noise(const Image& image, const Landmarks& points) {
