@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 
 namespace face::align {
 namespace {
@@ -49,8 +50,7 @@ GreyPicture grey_of(const Image& picture) {
   grey.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t* p = picture.pixels.data() + i * channels;
-    grey.values[i] =
-        channels < 3 ? p[0] : static_cast<std::uint8_t>(std::lround(0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]));
+    grey.values[i] = static_cast<std::uint8_t>(std::lround(grey_value<double>(p, picture.channels)));
   }
   return grey;
 }

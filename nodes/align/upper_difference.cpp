@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/base/sample_image.h"
 
 namespace face::align {
@@ -22,7 +23,7 @@ struct Pair {
 double grey_at(const Image& picture, double x, double y) {
   float v[4];
   sample_image(picture, x, y, v);
-  return static_cast<double>(picture.channels < 3 ? v[0] : 0.299f * v[0] + 0.587f * v[1] + 0.114f * v[2]);
+  return grey_value<double>(v, picture.channels);
 }
 
 // The upper markers that both see, by name.

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "nodes/base/luma.h"
+
 namespace face {
 namespace {
 
@@ -41,7 +43,7 @@ GreySpline::GreySpline(const Image& picture) : width_(picture.width), height_(pi
   const std::uint8_t* p = picture.pixels.data();
   coefficients_.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   for (int i = 0; i < width_ * height_; ++i, p += picture.channels)
-    coefficients_.push_back(picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]);
+    coefficients_.push_back(grey_value<double>(p, picture.channels));
   for (int y = 0; y < height_; ++y) filter(coefficients_.data() + static_cast<std::ptrdiff_t>(y) * width_, 1, width_);
   for (int x = 0; x < width_; ++x) filter(coefficients_.data() + x, width_, height_);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/evaluate/statistics.h"
 #include "nodes/render/rgb_image.h"
 
@@ -14,9 +15,7 @@ namespace {
 // Sums of squared central differences over the pixels whose neighbours count.
 double gradient_energy(const Image& rgb, const std::vector<bool>& counts) {
   const auto width = static_cast<std::size_t>(rgb.width), height = static_cast<std::size_t>(rgb.height);
-  const auto brightness = [&](std::size_t i) {
-    return 0.299 * rgb.pixels[3 * i] + 0.587 * rgb.pixels[3 * i + 1] + 0.114 * rgb.pixels[3 * i + 2];
-  };
+  const auto brightness = [&](std::size_t i) { return grey_value<double>(&rgb.pixels[3 * i], 3); };
   double sum = 0;
   for (std::size_t y = 1; y + 1 < height; ++y)
     for (std::size_t x = 1; x + 1 < width; ++x) {

@@ -2,6 +2,7 @@
 #include "nodes/flow/image_channels.h"
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 
 namespace face::flow {
 namespace {
@@ -20,8 +21,7 @@ void write_grey(const Image& image, float* values) {
   const auto channels = static_cast<std::size_t>(image.channels);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t* p = image.pixels.data() + i * channels;
-    // Of equal channels exactly their value.
-    values[i] = channels < 3 ? p[0] : p[1] + 0.299f * (p[0] - p[1]) + 0.114f * (p[2] - p[1]);
+    values[i] = grey_value<float>(p, image.channels);
   }
 }
 

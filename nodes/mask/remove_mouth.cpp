@@ -7,6 +7,7 @@
 #include <map>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/base/quantile.h"
 #include "nodes/base/scan_points.h"
 
@@ -144,7 +145,7 @@ double grey_at(const Image& picture, int x, int y) {
   y = std::clamp(y, 0, picture.height - 1);
   const std::uint8_t* p = picture.pixels.data() +
                           static_cast<std::size_t>(y * picture.width + x) * static_cast<std::size_t>(picture.channels);
-  return picture.channels < 3 ? p[0] : p[1] + 0.299 * (p[0] - p[1]) + 0.114 * (p[2] - p[1]);
+  return grey_value<double>(p, picture.channels);
 }
 
 // Moves upper and lower end of every run of a column to the steepest step of grey within two pixels.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "nodes/base/luma.h"
+
 namespace face::mmm {
 namespace {
 
@@ -17,8 +19,7 @@ std::size_t index(int x, int y, int width) { return static_cast<std::size_t>(y *
 
 Values brightness(const Values& rgb) {
   Values grey(rgb.size() / 3);
-  for (std::size_t p = 0; p < grey.size(); ++p)
-    grey[p] = 0.299f * rgb[3 * p] + 0.587f * rgb[3 * p + 1] + 0.114f * rgb[3 * p + 2];
+  for (std::size_t p = 0; p < grey.size(); ++p) grey[p] = grey_value<float>(&rgb[3 * p], 3);
   return grey;
 }
 
@@ -101,8 +102,9 @@ void keep_detail(std::vector<float>& mixed, const std::vector<MixedPicture>& pic
   double power = 0;
   for (const float w : binomial) power += static_cast<double>(w) * static_cast<double>(w);
   const double middle = static_cast<double>(binomial[2]) * static_cast<double>(binomial[2]);
-  const double noise =
-      noise_level * noise_level * (1 - 2 * middle + power * power) * (0.299 * 0.299 + 0.587 * 0.587 + 0.114 * 0.114);
+  double channels = 0;
+  for (const double weight : luma_weights) channels += weight * weight;
+  const double noise = noise_level * noise_level * (1 - 2 * middle + power * power) * channels;
   Values most_gain(wanted.size(), static_cast<float>(most));
   // Detail that is added has less detail than that: twice leaves little of the gap.
   for (int round = 0; round < 2; ++round) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "nodes/base/luma.h"
 #include "nodes/base/quantile.h"
 #include "nodes/mmm/fit_perspective.h"
 
@@ -34,7 +35,7 @@ Grey grey_of(const Image& image) {
   const int width = image.width, height = image.height;
   Grey grey{width, height, {}};
   for (std::size_t p = 0; p < image.pixels.size(); p += 3)
-    grey.values.push_back(0.299f * image.pixels[p] + 0.587f * image.pixels[p + 1] + 0.114f * image.pixels[p + 2]);
+    grey.values.push_back(grey_value<float>(&image.pixels[p], 3));
   Grey across = grey;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/match_cylinder.h"
 #include "nodes/model/scan_surface.h"
@@ -45,7 +46,7 @@ cv::Mat between_lips(const CylinderScan& scan, const MeshPoints& shape, const st
 cv::Mat teeth_mask(const CylinderScan& scan, const cv::Mat& mouth, bool upper, const AddTeethOptions& options) {
   const auto brightness = [&](int x, int y) {
     const std::uint8_t* p = scan.picture.pixels.data() + 3 * static_cast<std::size_t>(y * scan.picture.width + x);
-    return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+    return luma<double>(p[0], p[1], p[2]);
   };
   std::vector<double> seen;
   for (int y = 0; y < mouth.rows; ++y)

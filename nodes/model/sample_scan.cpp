@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/model/scan_grid.h"
 
@@ -23,7 +24,7 @@ double grey_at(const Image& picture, double x, double y) {
   const auto grey = [&](int px, int py) -> double {
     const std::uint8_t* p = picture.pixels.data() + static_cast<std::size_t>(py * picture.width + px) *
                                                         static_cast<std::size_t>(picture.channels);
-    return picture.channels < 3 ? p[0] : p[1] + 0.299 * (p[0] - p[1]) + 0.114 * (p[2] - p[1]);
+    return grey_value<double>(p, picture.channels);
   };
   return (grey(x0, y0) * (1 - fx) + grey(x1, y0) * fx) * (1 - fy) + (grey(x0, y1) * (1 - fx) + grey(x1, y1) * fx) * fy;
 }

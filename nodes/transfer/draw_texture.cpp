@@ -8,6 +8,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/grey_spline.h"
+#include "nodes/base/luma.h"
 #include "nodes/base/sample_image.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
@@ -19,7 +20,7 @@ namespace {
 double grey_of(const Image& picture, int x, int y) {
   const std::uint8_t* p = picture.pixels.data() +
                           static_cast<std::size_t>(y * picture.width + x) * static_cast<std::size_t>(picture.channels);
-  return picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+  return grey_value<double>(p, picture.channels);
 }
 
 // Triangles whose surface is hidden: most of those about them keep less than a share of the area that they have in the

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/transfer/mesh_graph.h"
 
 namespace face::transfer {
 namespace {
 
-float luma(const Vec3f& c) { return 0.299f * c[0] + 0.587f * c[1] + 0.114f * c[2]; }
+float luma_of(const Vec3f& c) { return luma(c[0], c[1], c[2]); }
 
 }  // namespace
 
@@ -45,7 +46,7 @@ Mesh recolour(const Mesh& mesh, const Mesh& colours, const RecolourOptions& opti
   Mesh out = mesh;
   const auto recorded = static_cast<float>(options.recorded);
   for (std::size_t v = 0; v < count; ++v) {
-    const float from = luma(wanted[v]), to = (1 - recorded) * from + recorded * luma(mesh.colors_srgb[v]);
+    const float from = luma_of(wanted[v]), to = (1 - recorded) * from + recorded * luma_of(mesh.colors_srgb[v]);
     for (std::size_t k = 0; k < 3; ++k)
       out.colors_srgb[v][k] = std::clamp(from > 1e-4f ? wanted[v][k] * to / from : to, 0.0f, 1.0f);
   }
