@@ -221,11 +221,12 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
     if (!std::isfinite(length)) break;
     std::vector<double> weights = best.weights, vertices, next_gradient;
     for (std::size_t k = 0; k < count; ++k) weights[k] += step[index(k)];
-    const double energy = state_->evaluate(targets, weights, vertices, &next_gradient, room);
+    const bool last = length < options.tolerance;
+    const double energy = state_->evaluate(targets, weights, vertices, last ? nullptr : &next_gradient, room);
     const double before = with_restraint(best.energy, best.weights), after = with_restraint(energy, weights);
     // Rounding may raise an energy that is at its least.
     if (after > before * (1 + 1e-10) + 1e-18) {
-      best.converged = length < options.tolerance;
+      best.converged = last;
       // Another Hessian first; where this one was new, a shorter step.
       if (fresh)
         damping = damping > 0 ? damping * 10 : 1e-3;
@@ -233,19 +234,20 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
         hessian.resize(0, 0);
       continue;
     }
-    const Eigen::VectorXd turn = slope_of(next_gradient, weights) - slope;
+    best.weights = std::move(weights);
+    best.vertices_mm = std::move(vertices);
+    best.energy = energy;
+    best.converged = last;
+    if (last) break;
+    const Eigen::VectorXd turn = slope_of(next_gradient, best.weights) - slope;
     const double curvature = turn.dot(step);
     if (curvature > 1e-12 * turn.norm() * step.norm()) {
       const Eigen::VectorXd known = hessian * step;
       hessian += turn * turn.transpose() / curvature - known * known.transpose() / known.dot(step);
       fresh = false;
     }
-    best.weights = std::move(weights);
-    best.vertices_mm = std::move(vertices);
-    best.energy = energy;
     gradient = std::move(next_gradient);
     damping = damping > 1e-6 ? damping / 10 : 0;
-    best.converged = length < options.tolerance;
   }
   return best;
 }
