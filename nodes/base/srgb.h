@@ -11,6 +11,10 @@ inline double srgb_of(double linear) {
 inline double srgb_slope(double linear) {
   return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
 }
+// The derivative where srgb_of(linear) is known already, without another power.
+inline double srgb_slope(double linear, double srgb) {
+  return linear <= 0.0031308 ? 12.92 : (srgb + 0.055) / (2.4 * linear);
+}
 inline double linear_of(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
 }  // namespace face

@@ -39,17 +39,19 @@ inline Lobes lobes_at(double cosine) {
   return lobes;
 }
 
-// The picture's sRGB values of a lit albedo, by the formula at FaceLight.
-inline std::array<double, 3> shown(const FaceLight& light, const std::array<double, 3>& lit) {
-  std::array<double, 3> e, value;
+// The picture's sRGB values of the sRGB values of light, by the formula at FaceLight.
+inline std::array<double, 3> mixed(const FaceLight& light, const std::array<double, 3>& e) {
+  std::array<double, 3> value;
   double grey = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    e[c] = srgb_of(lit[c]);
-    grey += luma[c] * e[c];
-  }
+  for (std::size_t c = 0; c < 3; ++c) grey += luma[c] * e[c];
   for (std::size_t c = 0; c < 3; ++c)
     value[c] = light.gain[c] * (light.contrast * e[c] + (1.0 - light.contrast) * grey) + light.offset[c];
   return value;
+}
+
+// And of a lit albedo.
+inline std::array<double, 3> shown(const FaceLight& light, const std::array<double, 3>& lit) {
+  return mixed(light, {srgb_of(lit[0]), srgb_of(lit[1]), srgb_of(lit[2])});
 }
 
 // The lit albedo that is shown so: the exact inverse. Gains and contrast must not be 0.

@@ -108,7 +108,7 @@ Plain draw(const LikenessFace& face, const PictureLevel& level) {
       float value = 0, up = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         value += b[i] * shade[triangle[i]];
-        up += b[i] * basis.mean_mm[triangle[i]][1];
+        up += b[i] * face.model.mean.points_mm[basis.vertices[triangle[i]]][1];
       }
       skin.at<std::uint8_t>(y, x) = 255;
       plain.value.at<float>(y, x) = value;

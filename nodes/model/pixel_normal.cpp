@@ -22,7 +22,10 @@ PixelNormal pixel_normal(const PixelRows& rows, double kernel) {
   normal.points = static_cast<double>(n / 3);
   normal.a.resize(rows.columns * rows.columns);
   normal.b.resize(rows.columns);
-  Eigen::Map<Eigen::MatrixXd>(normal.a.data(), width, width) = (j.transpose() * j).cast<double>();
+  Eigen::MatrixXf squares = Eigen::MatrixXf::Zero(width, width);
+  squares.selfadjointView<Eigen::Lower>().rankUpdate(j.transpose());
+  squares.triangularView<Eigen::StrictlyUpper>() = squares.transpose();
+  Eigen::Map<Eigen::MatrixXd>(normal.a.data(), width, width) = squares.cast<double>();
   Eigen::Map<Eigen::VectorXd>(normal.b.data(), width) = -(j.transpose() * r).cast<double>();
   return normal;
 }

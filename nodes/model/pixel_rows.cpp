@@ -19,7 +19,6 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-using ModeRows = Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>>;
 
 constexpr double blur_px = 0.7;
 constexpr float shadow_edge_mm = 4;
@@ -32,6 +31,25 @@ std::array<Vec3, 2> tangents(const Vec3& d) {
   const Vec3 helper = std::abs(d.y()) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
   const Vec3 first = helper.cross(d).normalized();
   return {first, d.cross(first)};
+}
+
+// The modes of scattered vertices are waited for longer than they are worked on: they are asked for this many points
+// ahead.
+constexpr std::size_t fetched_ahead = 2, cache_line = 64;
+void fetch(const float* from, std::size_t bytes) {
+  const char* const start = reinterpret_cast<const char*>(from);
+  for (std::size_t i = 0; i < bytes; i += cache_line) __builtin_prefetch(start + i);
+}
+
+// Adds to the three targets what one component of displacement or albedo weighs in each, column by column.
+void add_mode(const float* __restrict mode, std::size_t count, const Vec3f& weights, float* const targets[3]) {
+  float* __restrict a = targets[0], * __restrict b = targets[1], * __restrict c = targets[2];
+  for (std::size_t k = 0; k < count; ++k) {
+    const float m = mode[k];
+    a[k] += weights[0] * m;
+    b[k] += weights[1] * m;
+    c[k] += weights[2] * m;
+  }
 }
 
 Vec3 vec(const Vec3f& v) { return {v[0], v[1], v[2]}; }
@@ -139,6 +157,9 @@ std::vector<SkinPoint> choose_points(const SkinBasis& basis, const DrawnSkin& dr
         render::barycentrics_at(drawn.screen, basis.triangles[chosen[n].triangle], static_cast<float>(seen[n] % width),
                                 static_cast<float>(seen[n] / width));
   }
+  // Neighbours after each other share what they read of modes and picture, which is most of the time they take.
+  std::sort(chosen.begin(), chosen.end(),
+            [](const SkinPoint& a, const SkinPoint& b) { return a.triangle < b.triangle; });
   return chosen;
 }
 
@@ -185,10 +206,14 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
   const std::size_t shapes = basis.shapes();
   std::size_t overexposed = 0, dark = 0;
   double brightness = 0;
-  Eigen::Matrix<float, 3, 9> shape_weights, albedo_weights;
-  Eigen::Matrix<float, 9, Eigen::Dynamic> modes(9, static_cast<Eigen::Index>(std::max(shapes, basis.albedos)));
+  std::array<std::array<float, 9>, 3> shape_weights{}, albedo_weights{};  // of a channel: of corners, x y z or R G B
 
-  for (const SkinPoint& skin_point : points) {
+  const std::size_t shape_bytes = rows.columns > FacePose::size ? 3 * shapes * sizeof(float) : 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const SkinPoint& skin_point = points[n];
+    if (n + fetched_ahead < points.size())
+      for (const std::uint32_t v : basis.triangles[points[n + fetched_ahead].triangle])
+        fetch(basis.shape_modes.data() + 3 * v * shapes, shape_bytes);
     const auto& triangle = basis.triangles[skin_point.triangle];
     const Vec3f& bary = skin_point.weights;
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), reflectance = Vec3::Zero();
@@ -230,7 +255,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         mirrored_slope += static_cast<double>(state.light.mirror[k]) * share * lobes.slope[k];
       }
     }
-    std::array<double, 3> lit, e, strength;
+    std::array<double, 3> lit, e, slope, strength;
     double grey = 0;
     Rows3 by_lit;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -238,15 +263,15 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
       lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)] +
                mirrored * static_cast<double>(state.light.parallel[c]);
       e[c] = srgb_of(lit[c]);
+      slope[c] = srgb_slope(lit[c], e[c]);
       grey += luma[c] * e[c];
     }
-    const std::array<double, 3> value = shown(state.light, lit);
+    const std::array<double, 3> value = mixed(state.light, e);
     for (Eigen::Index c = 0; c < 3; ++c)
       for (Eigen::Index k = 0; k < 3; ++k) {
         const auto ci = static_cast<std::size_t>(c), ki = static_cast<std::size_t>(k);
         by_lit(c, k) = state.light.gain[ci] *
-                       ((c == k ? state.light.contrast : 0.0f) + (1.0 - state.light.contrast) * luma[ki]) *
-                       srgb_slope(std::max(lit[ki], 1e-4));
+                       ((c == k ? state.light.contrast : 0.0f) + (1.0 - state.light.contrast) * luma[ki]) * slope[ki];
       }
     Vec3 by_cosine = Vec3::Zero();
     if (cosine > 0)
@@ -303,12 +328,11 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         const double moving = gx * at.by_point[0][ai] + gy * at.by_point[1][ai];
         const double t1 = by_cosine[ci] * turn1[axis] + by_halfway[ci] * half_turn1[axis],
                      t2 = by_cosine[ci] * turn2[axis] + by_halfway[ci] * half_turn2[axis];
-        shape_weights(ci, axis) = static_cast<float>(bary[0] * moving + t1 + t2);
-        shape_weights(ci, 3 + axis) = static_cast<float>(bary[1] * moving - t1);
-        shape_weights(ci, 6 + axis) = static_cast<float>(bary[2] * moving - t2);
+        shape_weights[c][ai] = static_cast<float>(bary[0] * moving + t1 + t2);
+        shape_weights[c][3 + ai] = static_cast<float>(bary[1] * moving - t1);
+        shape_weights[c][6 + ai] = static_cast<float>(bary[2] * moving - t2);
         for (std::size_t i = 0; i < 3; ++i)
-          albedo_weights(ci, static_cast<Eigen::Index>(3 * i) + axis) =
-              static_cast<float>(-by_lit(ci, axis) * strength[ai] * bary[i]);
+          albedo_weights[c][3 * i + ai] = static_cast<float>(-by_lit(ci, axis) * strength[ai] * bary[i]);
       }
       if (columns.light) {
         float* const l = row + columns.light_first();
@@ -330,18 +354,13 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
         for (std::size_t k = 0; k < shading_parameters; ++k)
           row[columns.shading_first() + k] = -static_cast<float>(shading[k]);
     }
-    Eigen::Map<Eigen::Matrix<float, 3, Eigen::Dynamic, Eigen::RowMajor>> block(out, 3,
-                                                                               static_cast<Eigen::Index>(rows.columns));
     const auto fill = [&](const std::vector<float>& from, std::size_t width, std::size_t first, std::size_t count,
-                          std::size_t target, const Eigen::Matrix<float, 3, 9>& weights) {
+                          std::size_t target, const std::array<std::array<float, 9>, 3>& weights) {
       if (count == 0) return;
-      const auto n_columns = static_cast<Eigen::Index>(count);
-      for (std::size_t i = 0; i < 3; ++i)
-        modes.block(static_cast<Eigen::Index>(3 * i), 0, 3, n_columns) =
-            ModeRows(from.data() + 3 * triangle[i] * width, 3, static_cast<Eigen::Index>(width))
-                .middleCols(static_cast<Eigen::Index>(first), n_columns);
-      block.middleCols(static_cast<Eigen::Index>(target), n_columns).noalias() =
-          weights.lazyProduct(modes.leftCols(n_columns));
+      float* const targets[3] = {out + target, out + rows.columns + target, out + 2 * rows.columns + target};
+      for (std::size_t i = 0; i < 9; ++i)
+        add_mode(from.data() + (3 * triangle[i / 3] + i % 3) * width + first, count,
+                 {weights[0][i], weights[1][i], weights[2][i]}, targets);
     };
     fill(basis.shape_modes, shapes, 0, columns.identities, 0, shape_weights);
     fill(basis.shape_modes, shapes, basis.identities, columns.expressions, columns.expression_first(), shape_weights);

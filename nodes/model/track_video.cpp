@@ -78,12 +78,14 @@ SkinBasis without_lids(const MorphableModel& model, SkinBasis basis) {
   return basis;
 }
 
+const std::vector<double> as_is;  // no coefficients of identity: the basis is the person's
+
 struct Tracked {
   const MorphableModel* model = nullptr;
   const TrackVideoOptions* options = nullptr;
-  SkinBasis whole, basis;  // basis: without the lids
+  SkinBasis whole, basis;  // of this person; basis: without the lids
   std::vector<Vec3f> colours;
-  std::vector<double> identity, centre;  // centre: the frame before's expression
+  std::vector<double> centre;  // the frame before's expression
   std::vector<std::vector<double>> gaps;
 };
 
@@ -98,7 +100,7 @@ void step(const Tracked& tracked, const Sizes& sizes, double eyes_px, Random& ra
   const PictureLevel& level = sizes.frame;
   const std::size_t expressions = tracked.basis.expressions;
   const PixelColumns columns{0, 0, expressions, false, true};
-  const std::vector<Vec3f> posed_mm = posed_skin(tracked.basis, tracked.identity, state.expression);
+  const std::vector<Vec3f> posed_mm = posed_skin(tracked.basis, as_is, state.expression);
   const DrawnSkin drawn = draw_skin(tracked.basis, posed_mm, state.pose, level);
   std::size_t visible = 0;
   std::vector<SkinPoint> points =
@@ -175,10 +177,13 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   Tracked tracked;
   tracked.model = &model;
   tracked.options = &options;
-  tracked.whole = make_skin_basis(model, start.identity.size(), static_cast<std::size_t>(options.expressions), 0);
+  tracked.whole = make_skin_basis(model, 0, static_cast<std::size_t>(options.expressions), 0);
   tracked.basis = without_lids(model, tracked.whole);
   tracked.colours = vertex_colours(model, tracked.basis, albedo);
-  tracked.identity.assign(start.identity.begin(), start.identity.end());
+  // The person stays: their head at rest takes the mean's place.
+  const std::vector<Vec3f> rest_mm = pose_model(model, start.identity, {});
+  for (std::size_t v = 0; v < tracked.whole.vertices.size(); ++v)
+    tracked.whole.mean_mm[v] = tracked.basis.mean_mm[v] = rest_mm[tracked.whole.vertices[v]];
   tracked.gaps = lip_gap_rows(model);
   tracked.centre.assign(tracked.basis.expressions, 0.0);
   for (std::size_t k = 0; k < std::min(tracked.centre.size(), before.expression.size()); ++k)
@@ -189,13 +194,13 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   state.light = start.light;
   // Highlights move over a head that turns; colours at vertices hold those of the first frame.
   if (picture == nullptr) state.light.mirror = {0, 0};
-  state.seen = shadow_of(tracked.whole, tracked.identity, state);
+  state.seen = shadow_of(tracked.whole, as_is, state);
   PictureState first = state;
   first.pose = pose_of(start.camera, turning_point(model));
   first.expression.assign(tracked.basis.expressions, 0.0);
   for (std::size_t k = 0; k < std::min(first.expression.size(), start.expression.size()); ++k)
     first.expression[k] = start.expression[k];
-  if (picture != nullptr) first.seen = shadow_of(tracked.whole, tracked.identity, first);
+  if (picture != nullptr) first.seen = shadow_of(tracked.whole, as_is, first);
   Random random(static_cast<std::uint64_t>(options.seed));
   const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
   std::array<double, FacePose::size> moved_so_far{};
@@ -204,7 +209,7 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
     const double factor = std::min(1.0, stage.eyes_px / eyes_px);
     const bool is_last = &stage == stages + std::size(stages) - 1 || stage.eyes_px >= eyes_px;
     sizes.frame = make_level(frame, factor);
-    if (picture != nullptr) sizes.start = start_view(tracked.whole, tracked.identity, first, *picture, factor);
+    if (picture != nullptr) sizes.start = start_view(tracked.whole, as_is, first, *picture, factor);
     const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
     for (std::int64_t i = 0; i < steps; ++i) step(tracked, sizes, eyes_px, random, state, moved_so_far);
     if (is_last) break;
@@ -216,13 +221,13 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   fit.camera = camera_of(state.pose);
   fit.lip_gap_mm = lip_gap_of(model, fit.expression);
   const PixelRows rows =
-      pixel_rows(tracked.whole, tracked.identity, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
+      pixel_rows(tracked.whole, as_is, tracked.colours, state, level, {0, 0, 0, false}, 2000, random);
   fit.image_rms = trimmed_rms(rows.residual);
   if (!(fit.image_rms <= options.max_image_rms)) {
     fit.problem = message("frame and model differ by ", std::lround(100 * fit.image_rms),
                           " % of the scale: the face is lost here; start anew after it");
   } else {
-    LikenessFace face{model, tracked.whole, tracked.identity, state, eyes_px, &tracked.colours};
+    LikenessFace face{model, tracked.whole, as_is, state, eyes_px, &tracked.colours};
     const PictureLevel small = make_level(frame, std::min(1.0, likeness_eyes_px / eyes_px));
     double seen = likeness(face, small);
     if (seen < options.min_likeness && fit.image_rms <= same_skin_rms) {
