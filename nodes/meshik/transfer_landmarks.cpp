@@ -17,6 +17,10 @@ namespace {
 // A gap up to this is seen better than the lips' outer edges tell it; in wide ones a tongue is taken for lip.
 constexpr double clear_gap_mm = 4;
 
+// Corners of the mouth, and those at rest, are seen about as well as this: where a key mesh is nearer to them, it knows
+// better.
+constexpr double width_error_mm = 1;
+
 VertexTarget at_rest(const Rig& rig, std::uint32_t vertex) {
   const Vec3f& rest = rig.neutral.points_mm[vertex];
   return {vertex, static_cast<double>(rest[0]), static_cast<double>(rest[1]), 0, false};
@@ -40,12 +44,29 @@ void part(double& above_mm, double& below_mm, double by_mm) {
   below_mm -= by_mm / 2;
 }
 
-// How far the speaker's inner lips are apart in the key shapes, beyond rest.
-class SeenGaps {
+// How far the speaker's inner lips, and the corners of the mouth, are apart in the key shapes, beyond rest.
+class SeenMouth {
  public:
-  SeenGaps(const Rig& rig, const KeyShapes& key_shapes, const std::vector<LandmarkVertex>& places,
-           const Landmarks& neutral)
+  SeenMouth(const Rig& rig, const KeyShapes& key_shapes, const std::vector<LandmarkVertex>& places,
+            const Landmarks& neutral)
       : key_shapes_(key_shapes), neutral_(neutral), mm_per_px_(landmark_scale_mm(rig, neutral, places)) {
+    constexpr int right_corner = 48, left_corner = 54, last_lip = 67;
+    const auto place_of = [&](int number) {
+      return std::find_if(places.begin(), places.end(), [&](const LandmarkVertex& p) { return p.number == number; });
+    };
+    const auto right = place_of(right_corner), left = place_of(left_corner);
+    if (right != places.end() && left != places.end()) {
+      const auto x_mm = [&](const LandmarkVertex& p) {
+        return static_cast<double>(rig.neutral.points_mm[p.vertex][0]);
+      };
+      corners_ = Pair{static_cast<std::size_t>(right - places.begin()), static_cast<std::size_t>(left - places.begin()),
+                      right->landmark, left->landmark};
+      const double middle_mm = (x_mm(*right) + x_mm(*left)) / 2, width_mm = x_mm(*left) - x_mm(*right);
+      for (const LandmarkVertex& place : places)
+        across_.push_back(place.number >= right_corner && place.number <= last_lip && width_mm > 0
+                              ? std::clamp((x_mm(place) - middle_mm) / width_mm, -0.5, 0.5)
+                              : 0);
+    }
     for (std::size_t above = 0; above < places.size(); ++above)
       for (std::size_t below = 0; below < places.size(); ++below)
         if (places[above].number >= 61 && places[above].number <= 63 &&
@@ -53,9 +74,16 @@ class SeenGaps {
           pairs_.push_back({above, below, places[above].landmark, places[below].landmark});
   }
 
-  // The offsets of key mesh k with lips that are as far apart as is seen, as far as that is to be trusted, each going
-  // half of the way.
+  // The offsets of key mesh k with a mouth as wide as is seen, and lips that are as far apart as is seen, as far as
+  // that is to be trusted, each going half of the way.
   void apply(std::size_t k, Offsets& offsets) const {
+    if (corners_) {
+      const Landmarks& seen = key_shapes_.shapes[k].landmarks;
+      const double wider_mm = mm_per_px_ * (width_px(seen) - width_px(neutral_)) -
+                              (offsets[corners_->below][0] - offsets[corners_->above][0]);
+      const double sure = wider_mm * wider_mm / (wider_mm * wider_mm + width_error_mm * width_error_mm);
+      for (std::size_t i = 0; i < across_.size(); ++i) offsets[i][0] += across_[i] * sure * wider_mm;
+    }
     for (const Pair& pair : pairs_) {
       const double seen_mm = mm_per_px_ * (gap_px(key_shapes_.shapes[k].landmarks, pair) - gap_px(neutral_, pair));
       double &above = offsets[pair.above][1], &below = offsets[pair.below][1];
@@ -64,23 +92,42 @@ class SeenGaps {
     }
   }
 
+  // How much wider the mouth is in a frame than in the mixture of key shapes: these weights leave that out, since none
+  // is negative.
+  double missing_width_mm(const Landmarks& frame, const Weights& weights) const {
+    if (!corners_ || !frame.points[corners_->above_mark].valid || !frame.points[corners_->below_mark].valid) return 0;
+    double wider_px = width_px(frame) - width_px(neutral_);
+    for (std::size_t k = 0; k < weights.values.size(); ++k)
+      wider_px -=
+          static_cast<double>(weights.values[k]) * (width_px(key_shapes_.shapes[k].landmarks) - width_px(neutral_));
+    return mm_per_px_ * wider_px;
+  }
+  void widen(double by_mm, std::vector<VertexTarget>& targets) const {
+    for (std::size_t i = 0; i < across_.size(); ++i) targets[i].x_mm += across_[i] * by_mm;
+  }
+
  private:
   struct Pair {
     std::size_t above, below;            // places, which are the first targets
-    std::size_t upper_mark, lower_mark;  // landmarks
+    std::size_t above_mark, below_mark;  // landmarks
   };
   static double gap_px(const Landmarks& landmarks, const Pair& pair) {
-    return landmarks.points[pair.lower_mark].y_px - landmarks.points[pair.upper_mark].y_px;
+    return landmarks.points[pair.below_mark].y_px - landmarks.points[pair.above_mark].y_px;
+  }
+  double width_px(const Landmarks& landmarks) const {
+    return landmarks.points[corners_->below_mark].x_px - landmarks.points[corners_->above_mark].x_px;
   }
   const KeyShapes& key_shapes_;
   const Landmarks& neutral_;
   double mm_per_px_ = 0;
   std::vector<Pair> pairs_;
+  std::optional<Pair> corners_;  // the right one `above`
+  std::vector<double> across_;   // of every place: -0.5 at the right corner, 0.5 at the left one; 0 beside the mouth
 };
 
 // Moves targets at rest to where the weights blend their vertices, in front. Each mesh is asked for once: it may have
 // to be read from a disk.
-void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& weights, const SeenGaps* gaps,
+void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& weights, const SeenMouth* mouth,
            std::vector<VertexTarget>& targets) {
   for (std::size_t k = 0; k < weights.values.size(); ++k) {
     if (weights.values[k] == 0) continue;
@@ -88,7 +135,7 @@ void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& w
     check(key->points_mm.size() == rig.neutral.points_mm.size(), "key mesh ", key_meshes.id(k), " has ",
           key->points_mm.size(), " vertices, expected ", rig.neutral.points_mm.size());
     Offsets offsets = offsets_of(rig, *key, targets);
-    if (gaps != nullptr) gaps->apply(k, offsets);
+    if (mouth != nullptr) mouth->apply(k, offsets);
     const auto weight = static_cast<double>(weights.values[k]);
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].x_mm += weight * offsets[i][0];
@@ -100,7 +147,8 @@ void blend(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const Weights& w
 }  // namespace
 
 VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_meshes, const KeyShapes& key_shapes,
-                                 const Weights& weights, const double* contact, const Landmarks* neutral) {
+                                 const Weights& weights, const double* contact, const Landmarks* neutral,
+                                 const Landmarks* frame) {
   check(!key_shapes.shapes.empty(), "there are no key shapes");
   check(!contact || (*contact >= 0 && *contact <= 1), "contact is ", contact ? *contact : 0, ", expected 0 to 1");
   VertexTargets targets;
@@ -128,14 +176,17 @@ VertexTargets transfer_landmarks(const Rig& rig, const engine::Seq<Mesh>& key_me
     const std::size_t upper = target_of(pair.upper), lower = target_of(pair.lower);
     lips.emplace_back(upper, lower);
   }
-  std::optional<SeenGaps> gaps;
+  std::optional<SeenMouth> mouth;
   if (neutral != nullptr) {
     const std::size_t expected = key_shapes.shapes[0].landmarks.points.size();
     check(neutral->points.size() == expected, "neutral has ", neutral->points.size(), " landmarks, expected ", expected,
           " as the key shapes");
-    gaps.emplace(rig, key_shapes, places, *neutral);
+    check(frame == nullptr || frame->points.size() == expected, "frame has ", frame ? frame->points.size() : 0,
+          " landmarks, expected ", expected, " as the key shapes");
+    mouth.emplace(rig, key_shapes, places, *neutral);
   }
-  blend(rig, key_meshes, weights, gaps ? &*gaps : nullptr, targets.targets);
+  blend(rig, key_meshes, weights, mouth ? &*mouth : nullptr, targets.targets);
+  if (mouth && frame != nullptr) mouth->widen(mouth->missing_width_mm(*frame, weights), targets.targets);
   for (const auto& [upper, lower] : lips) {
     VertexTarget &above = targets.targets[upper], &below = targets.targets[lower];
     const auto gap_at_rest =

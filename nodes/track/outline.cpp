@@ -159,7 +159,7 @@ struct Belief {
   double least_like;  // deviation of the unlikeness that a sighting survives
   double error_px;    // deviation of a sighting along the normal
 };
-constexpr Belief on_lip{0.5, 4, 0, 0.6, 0.7}, on_corner{0.3, 5, 4, 0.5, 1};
+constexpr Belief on_lip{0.5, 4, 0, 0.6, 0.7}, on_corner{0.3, 5, 10, 0.5, 1};
 constexpr double seam_error_px = 0.8;  // deviation of a corner's sighting across the seam
 
 // The shift of `seen` (half pixels, wider by reach) that is most like `wanted` (pixels) and most likely. rest_px: the

@@ -65,6 +65,11 @@ void add_inner_lips(face::Landmarks& landmarks, int variant) {
   landmarks.points.push_back({"inner_lip_6", 32, 32 + 0.8 * (variant % 2), true});
 }
 const Maker parted_points = changed<face::Landmarks>(speaker_points, add_inner_lips);
+// Wider from one variant to the next.
+const Maker spread_points = changed<face::Landmarks>(parted_points, [](face::Landmarks& landmarks, int variant) {
+  for (face::Landmark& point : landmarks.points)
+    if (point.name == "lip_6") point.x_px += 1 + 0.5 * variant;
+});
 const Maker parted_keys = changed<face::KeyShapes>(speaker_keys, [](face::KeyShapes& keys, int variant) {
   for (std::size_t k = 0; k < keys.shapes.size(); ++k)
     add_inner_lips(keys.shapes[k].landmarks, variant + static_cast<int>(k) + 1);
@@ -81,6 +86,7 @@ const Registered meshik({
             {"meshik.transfer_landmarks.weights", few_weights},
             {"meshik.transfer_landmarks.key_shapes", parted_keys},
             {"meshik.transfer_landmarks.neutral", parted_points},
+            {"meshik.transfer_landmarks.frame", spread_points},
             {"meshik.sculpt_keys.key_shapes", parted_keys},
             {"meshik.sculpt_keys.neutral", parted_points},
             {"meshik.transfer_landmarks.contact", contact},

@@ -309,6 +309,40 @@ TEST(TransferLandmarks, PartsLipsByLittleWhereTheKeyShapesShowLittle) {
                     "neutral has 19 landmarks, expected 20 as the key shapes");
 }
 
+// Rounded lips came out wide, and spread ones narrow.
+TEST(TransferLandmarks, MakesTheMouthAsWideAsItIsSeen) {
+  const Rig rig = speaking_rig();
+  const Landmarks rest = seen(rig, 0, 0);
+  const auto width_mm = [](const VertexTargets& targets) {
+    double right = 0, left = 0;
+    for (const VertexTarget& target : targets.targets) {
+      if (target.vertex == 48) right = target.x_mm;
+      if (target.vertex == 54) left = target.x_mm;
+    }
+    return left - right;
+  };
+  // The corners are 9 mm nearer to each other, those of the key mesh 4.5.
+  const KeyShapes keys{{{"1", 1, seen(rig, 0, 0.5f)}}};
+  const engine::Seq<Mesh> meshes(sculpt(rig, {{{"1", 1, seen(rig, 0, 0.25f)}}}, rest, {1e-9}).meshes);
+  EXPECT_NEAR(width_mm(transfer_landmarks(rig, meshes, keys, {{1.0f}})), 50 - 4.5, 0.01);
+  const double sure = 4.5 * 4.5 / (1 + 4.5 * 4.5);
+  const VertexTargets targets = transfer_landmarks(rig, meshes, keys, {{1.0f}}, nullptr, &rest);
+  EXPECT_NEAR(width_mm(targets), 50 - 4.5 - sure * 4.5, 0.1);
+  for (const VertexTarget& target : targets.targets)
+    if (target.vertex == 49 || target.vertex == 39) {
+      const auto at_rest = static_cast<double>(rig.neutral.points_mm[target.vertex][0]);
+      EXPECT_NEAR(target.x_mm, target.vertex == 39 ? at_rest : at_rest * (1 - sure * 4.5 / 50), 0.05);
+    }
+  // What the frame shows beyond the mixture, which cannot be wider than the rest.
+  const Landmarks spread = seen(rig, 0, -0.2f);
+  const VertexTargets wide = transfer_landmarks(rig, meshes, keys, {{0.0f}}, nullptr, &rest, &spread);
+  EXPECT_NEAR(width_mm(wide), 50 + 3.6, 0.1);
+  Landmarks fewer = rest;
+  fewer.points.pop_back();
+  EXPECT_THROW_TEXT(transfer_landmarks(rig, meshes, keys, {{1.0f}}, nullptr, &rest, &fewer),
+                    "frame has 17 landmarks, expected 18 as the key shapes");
+}
+
 TEST(TransferLandmarks, BringsLipsThatMeetTogether) {
   const Rig rig = closing_rig();
   const KeyShapes keys{{{"1", 1, seen(rig, 1, 0)}}};
