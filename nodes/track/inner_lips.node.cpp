@@ -5,10 +5,11 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.inner_lips", &inner_lips, version{3},
+NODE("track.inner_lips", &inner_lips, version{4},
      doc{"Finds where the lips part, between the points of their outer edge."}, input{"image", "A frame"},
      input{"landmarks", "Its points, lip_0 to lip_11 among them"},
      input{"rest", "This node's points of the shut mouth: says how thick the lips are"},
+     input{"light", "How the light has changed since the first frame, of track.klt"},
      param("unlike", &InnerLipsOptions::unlike, range{0.1, 100}, unit{"1"},
            "Deviations from the colours of the lips from which on something is no lip"),
      param("thickness_deviation", &InnerLipsOptions::thickness_deviation, range{0.01, 10}, unit{"1"},

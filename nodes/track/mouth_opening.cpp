@@ -7,6 +7,7 @@
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
+#include "nodes/track/face_light.h"
 #include "nodes/track/lip_line.h"
 
 namespace face::track {
@@ -41,8 +42,10 @@ double usual_width_px(const Landmarks& landmarks, const MouthWidth& width) {
 
 }  // namespace
 
-double mouth_opening(const Image& image, const Landmarks& landmarks) {
-  check_image(image, "the image");
+double mouth_opening(const Image& picture, const Landmarks& landmarks, const Matrix* light) {
+  check_image(picture, "the image");
+  const Image lit = light ? relit(picture, light_of(*light)) : Image{};
+  const Image& image = light ? lit : picture;
   const MouthWidth width = mouth_width(landmarks);
   const LipLine line = lip_line(landmarks, 3);
   const LipLine corners = {find_landmark(landmarks, "lip_0"), find_landmark(landmarks, "lip_6")};

@@ -2,6 +2,7 @@
 #pragma once
 #include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
+#include "nodes/types/matrix.h"
 
 namespace face::track {
 
@@ -13,6 +14,7 @@ namespace face::track {
 // speaker, the light and the camera: compare with other frames (find_contact.h). Brightness counts as a share of the
 // lips', so that the light does not; blue to green counts least, as films keep it coarsest. -1 where a point of the
 // line or a corner of the mouth is not valid. Throws where one is missing.
-double mouth_opening(const Image& image, const Landmarks& landmarks);
+// light: takes the picture back to the light of the film's first frame (track_klt.h); null = it is the same.
+double mouth_opening(const Image& image, const Landmarks& landmarks, const Matrix* light = nullptr);
 
 }  // namespace face::track

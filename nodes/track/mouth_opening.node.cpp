@@ -5,7 +5,8 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.mouth_opening", &mouth_opening, version{2},
+NODE("track.mouth_opening", &mouth_opening, version{3},
      doc{"How much between the outer edges of the lips is unlike lips: teeth, tongue, hollow."},
      input{"image", "A frame"}, input{"landmarks", "Its points, lip_0 to lip_11 among them"},
+     input{"light", "How the light has changed since the first frame, of track.klt"},
      output("opening", "Size of it, in usual widths of a mouth times deviations of colour; -1 where it is not seen"));

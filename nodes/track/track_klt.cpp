@@ -8,6 +8,7 @@
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
+#include "nodes/track/face_light.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/head_motion.h"
 #include "nodes/track/jaw_line.h"
@@ -62,7 +63,11 @@ TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now
     result.jaw_look = learn_jaw_line(now, known.start, known.jaw_line, known.outline, known.mouth_px);
   result.face = learn_face(now, known.start);
   if (!known.bonds.depths_px.empty()) result.head_look = learn_head(now, known.start);
-  if (!result.head_look.pixels.empty()) result.head = head_numbers({start_pose(known.start), 1});
+  if (!result.head_look.pixels.empty()) {
+    result.head = head_numbers({start_pose(known.start), 1});
+    result.face_colours = learn_face_light(frame, known.start);
+    result.light = light_numbers({});
+  }
   result.confidence = {known.start.points.size(), 1, std::vector<double>(known.start.points.size(), 1.0)};
   result.state = "start";
   return result;
@@ -204,11 +209,17 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
     seen = find_again(known, now, result.face, result.patches);
     find_head_again(known, now, seen, result);
   }
+  constexpr double well_seen = 0.7;  // likeness of a head that nothing hides: a hand before it is no lamp
+  if (known.bonds.head && result.head.values.back() >= well_seen)
+    result.light = light_numbers(see_face_light(frame, known.start, *known.bonds.head, result.face_colours));
+  const FaceLight light = light_of(result.light);
+  const Image relit_frame = light.is_same() ? Image{} : relit(frame, light);
+  const Image& lit = light.is_same() ? frame : relit_frame;
   const Shrink coarse = coarse_shrink(known, frame);
-  const Image small = result.coarse_look.rows > 0 ? coarse.image(frame) : Image{};
+  const Image small = result.coarse_look.rows > 0 ? coarse.image(lit) : Image{};
   std::vector<LipPicture> lips;
   if (result.coarse_look.rows > 0) lips.push_back({small, coarse, result.coarse_look});
-  lips.push_back({frame, Shrink(frame.width, frame.height, 1), result.look});
+  lips.push_back({lit, Shrink(frame.width, frame.height, 1), result.look});
   fit_contours(known, lips, now, result.jaw_look, seen);
   std::size_t valid = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -47,6 +47,10 @@ struct TrackKltResult {
   // The head's pose since the start, 7 x 1: nod, turn, tilt (rad), logarithm of the scale, where the middle between the
   // eyes is (x and y, px), and how alike the head is (1 = the same); 0 x 0 without head_look.
   Matrix head;
+  Image face_colours;  // what light is told by at the start (face_light.h); empty where the head is not followed
+  // What takes a level of this frame to one in the light of the start, 3 x 2: gain and offset of red, green and blue;
+  // 0 x 0 without face_colours.
+  Matrix light;
   Matrix confidence;  // points x 1; 0 = lost, 1 = looks as where it was placed
   std::string state;  // start, followed, found (again), cut (another picture than before), even (black, white), lost
   bool valid = true;  // at least a third of the points is seen
@@ -68,9 +72,10 @@ struct TrackKltResult {
 //
 // Where all points are of the 18-point layout, the head is followed as a whole by what is seen between brows and nose
 // (head_motion.h): its pose carries the layout, says where points are looked for, and holds rigid points whose own
-// patches are not seen, from the side or under a lid. Where it is not seen, three rigid points are a pose of an average
-// head (solid_head.h), and each of them is valid only while its own patch is seen: the corner of an eye would follow
-// the closing lid otherwise.
+// patches are not seen, from the side or under a lid. What is seen there tells light and camera, too: a frame in which
+// they have changed is taken back to the light of the first before the edge of the lips is looked for. Where it is not
+// seen, three rigid points are a pose of an average head (solid_head.h), and each of them is valid only while its own
+// patch is seen: the corner of an eye would follow the closing lid otherwise.
 //
 // Patches and reaches are made for mouths of 30 to 90 px: a patch of 15 px in a close-up holds nothing that tells its
 // place, in a small picture half the mouth. Where the mouth at the start is wider or narrower, all this happens in a

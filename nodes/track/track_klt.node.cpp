@@ -8,7 +8,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.klt", &track_klt, version{11},
+NODE("track.klt", &track_klt, version{12},
      doc{"Follows points on a face through a video by pyramidal KLT, with a check that they come home, anchors against "
          "drift, and the edge of the lips."},
      input{"frames", "The video's frames", window{1, 0}}, input{"start", "The points on the first frame"},
@@ -56,6 +56,9 @@ NODE("track.klt", &track_klt, version{11},
      output("head", &TrackKltResult::head,
             "The head's pose since the start, 7 x 1: nod, turn, tilt (rad), log of the scale, place (px), likeness (0: "
             "not seen)"),
+     output("face_colours", &TrackKltResult::face_colours, "What light is told by, as it looks at the start"),
+     output("light", &TrackKltResult::light,
+            "Gain and offset that take red, green and blue (rows) to the light of the start"),
      output("confidence", &TrackKltResult::confidence, "Of each point: 0 lost, 1 looks as where it was placed"),
      output("state", &TrackKltResult::state, "start, followed, found, cut, even or lost"),
      output("valid", &TrackKltResult::valid, "False where the face is not seen"),

@@ -71,6 +71,11 @@ const Maker head_pose = made([](int variant) {
   return face::Matrix{7, 1, {0.02 + 0.05 * variant, 0.03 - 0.04 * variant, 0.01, 0.01, 60, 40, 0.9}};
 });
 
+// A lamp that is turned on more and more.
+const Maker light = made([](int variant) {
+  return face::Matrix{3, 2, {1 - 0.1 * variant, 5, 1, -6.0 * variant, 1.1, 0}};
+});
+
 const Maker correction = made([](int variant) {
   return face::Landmarks{{{"lip_3", 65 + 0.5 * variant, 57 - 0.5 * variant, true}}};
 });
@@ -136,10 +141,12 @@ const Registered track({
             {"track.inner_lips.image", clip},
             {"track.inner_lips.landmarks", first_points},
             {"track.inner_lips.rest", parting_lips},
+            {"track.inner_lips.light", light},
             {"track.lip_thickness.landmarks", open_lips},
             {"track.lip_thickness.rest", parting_lips},
             {"track.mouth_opening.image", clip},
             {"track.mouth_opening.landmarks", scattered(first_points, 2)},
+            {"track.mouth_opening.light", light},
             {"track.find_contact.openings", openings},
             {"track.find_contact.landmarks", parting_lips},
             {"track.report.landmarks", losing_points(speaker_points)},

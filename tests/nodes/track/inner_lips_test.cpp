@@ -76,7 +76,7 @@ TEST(InnerLips, LipsOfANarrowerMouthAreThicker) {
   EXPECT_LT(gap_px(track::inner_lips(mouth.image(), outer, &wide), 2), open_px - 4);
   track::InnerLipsOptions options;
   options.thickening = 0;
-  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &wide, options), 2), open_px);
+  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &wide, nullptr, options), 2), open_px);
 }
 
 TEST(InnerLips, WhatIsSeenCountsMoreThanTheThicknessAtRest) {
