@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "nodes/base/random.h"
 #include "nodes/types/depth_scan.h"
+#include "nodes/types/face_fit.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/mesh.h"
 #include "nodes/types/mesh_points.h"
@@ -46,10 +50,23 @@ const Maker open_lips = made([](int variant) {
   return scan;
 });
 
+// A head that sways and trembles, differently from variant to variant.
+const Maker trembling_fit = made([](int variant) {
+  face::Random random(static_cast<std::uint64_t>(variant));
+  const double turn = 0.05 * std::sin(0.3 * variant) + 0.01 * random.normal();
+  face::FaceFit fit;
+  fit.converged = true;
+  fit.camera.position_mm = {0, 0, 600};
+  const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
+  fit.camera.cam_from_world = {c, 0, s, 0, 1, 0, -s, 0, c};
+  return fit;
+});
+
 const Registered model({
     .inputs =
         {
             {"model.add_albedo.model", bare_model},
+            {"model.smooth_track.fits", trembling_fit},
             {"model.leave_openings.mesh", lips},
             {"model.leave_openings.shape", lip_points},
             {"model.leave_openings.scan", open_lips},
@@ -70,7 +87,7 @@ const Registered model({
             {"morphable_model", made_by("model.from_rig", "model")},
             {"shape_model", made_by("model.region_pca", "model")},
         },
-    .lengths = {{"model.fit_images.pictures", 2}, {"model.fit_images.landmarks", 2}},
+    .lengths = {{"model.fit_images.pictures", 2}, {"model.fit_images.landmarks", 2}, {"model.smooth_track.fits", 24}},
     .values = {{"model.scan_template.longest_edge_mm", {6.0, 8.0, 10.0}}},
 });
 
