@@ -14,7 +14,6 @@
 #include "nodes/track/face_contrast.h"
 #include "nodes/track/face_light.h"
 #include "nodes/track/lip_line.h"
-#include "nodes/track/smooth_noise.h"
 
 namespace face::track {
 namespace {
@@ -182,7 +181,8 @@ std::optional<Thickness> expected_thickness(const Landmarks& rest, const Landmar
 Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Landmarks* rest, const Matrix* light,
                      const InnerLipsOptions& options) {
   check_image(picture, "the image");
-  const Image image = smooth_noise(light ? relit(picture, light_of(*light)) : picture, landmarks);
+  const Image lit = light ? relit(picture, light_of(*light)) : Image{};
+  const Image& image = light ? lit : picture;
   for (const Landmark& point : landmarks.points)
     check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
   const MouthWidth width = mouth_width(landmarks);

@@ -28,7 +28,6 @@ struct InnerLipsOptions {
 // the gap is the most likely one: the tongue, gums and teeth in the shade are no less like a lip than a lip is, but
 // lips are about as thick as at rest, thicker in a mouth that is narrower (a W or a pout, whose lips would else count
 // as open), each by itself (a normal distribution), and what the picture shows is weighed against that.
-// A noisy picture is smoothed first (smooth_noise.h), else lips vary so much that little is unlike them.
 // light: takes the picture back to the light of the film's first frame (track_klt.h); null = it is the same.
 Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest = nullptr,
                      const Matrix* light = nullptr, const InnerLipsOptions& options = {});

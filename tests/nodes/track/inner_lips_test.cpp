@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nodes/base/random.h"
 #include "tests/nodes/track/drawn_mouth.h"
 #include "tests/nodes/track/grid_clip.h"
 #include "tests/nodes/track/phantom_clip.h"
@@ -176,25 +175,6 @@ TEST(InnerLips, OpenAsFarInAPictureOfAnyContrast) {
     EXPECT_NEAR(changed_px / plain_px, 1, 0.1) << gain;
     EXPECT_LE(std::sqrt(apart / count), 1.5) << gain;
   }
-}
-
-// In a noisy film lips vary so much that teeth and hollow were hardly unlike them: mouths came out too shut.
-TEST(InnerLips, OpenAsFarInANoisyPicture) {
-  const test::PhantomClip clip = test::film_phantom("Bob may move five warm loaves.", 60, test::Dots::none);
-  const Landmarks rest = track::inner_lips(*clip.frames[0], clip.truth[0]);
-  double plain_px = 0, noisy_px = 0, apart = 0, count = 0;
-  for (std::size_t i = 0; i < clip.frames.size(); i += 2, ++count) {
-    Image noisy = *clip.frames[i];
-    Random random(i + 1);
-    for (std::uint8_t& value : noisy.pixels)
-      value = static_cast<std::uint8_t>(std::lround(std::clamp(value + 12 * random.normal(), 0.0, 255.0)));
-    const double plain = gap_px(track::inner_lips(*clip.frames[i], clip.truth[i], &rest), 2);
-    const double other = gap_px(track::inner_lips(noisy, clip.truth[i], &rest), 2);
-    plain_px += plain, noisy_px += other, apart += (other - plain) * (other - plain);
-  }
-  std::printf("%.2f px, plain %.2f, %.2f apart\n", noisy_px / count, plain_px / count, std::sqrt(apart / count));
-  EXPECT_NEAR(noisy_px / plain_px, 1, 0.1);
-  EXPECT_LE(std::sqrt(apart / count), 1.5);
 }
 
 // The end of each clip: the sentence is over and the mouth shut.
