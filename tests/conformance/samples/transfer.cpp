@@ -2,7 +2,10 @@
 // A head, a speaking face and a scan that belong together: sheets about one axis, with a mouth. The speaking face's
 // neutral frame has its lips shut and, by noise, past each other; one vertex of it lies far out, and its upper edge
 // beside the head.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "nodes/types/cylinder_scan.h"
@@ -15,6 +18,7 @@
 #include "nodes/types/surface_map.h"
 #include "nodes/types/weights.h"
 #include "tests/conformance/samples/shared.h"
+#include "tests/support/blinking_eye.h"
 #include "tests/support/lip_sheet.h"
 
 namespace conformance {
@@ -182,6 +186,51 @@ const Maker marked_head = changed<face::Rig>(made_by("phantom.make_head", "head"
   for (int k = 0; k < variant; ++k) rig.landmarks68[8] = rig.landmarks68[static_cast<std::size_t>(30 + k % 20)];
 });
 
+// An eye whose lids shut; variants see it farther to the right.
+const Maker open_eye = made([](int variant) {
+  face::DepthScan seen = test::eye_scan(1);
+  std::rotate(seen.picture.pixels.rbegin(), seen.picture.pixels.rbegin() + 2 * variant, seen.picture.pixels.rend());
+  return seen;
+});
+const Maker eye_mesh = made([](int variant) {
+  Mesh sheet = test::eye_mesh();
+  for (face::Vec2f& uv : sheet.uvs) uv[0] += 0.02f * as_float(variant);
+  return sheet;
+});
+// Shut, from ever farther to the right on.
+const Maker shut_eye = made([](int variant) {
+  const Mesh sheet = test::eye_mesh();
+  face::MeshPoints moved{sheet.points_mm};
+  const face::MeshPoints shut = test::eye_shape(sheet, 0.02);
+  for (std::size_t v = 0; v < moved.points_mm.size(); ++v)
+    if (moved.points_mm[v][0] > -14 + 3 * as_float(variant)) moved.points_mm[v] = shut.points_mm[v];
+  return moved;
+});
+// From variant 4 on so far away that everything is small.
+const Maker far_eye = made([](int variant) {
+  face::DepthScan seen = test::eye_scan(1);
+  if (variant > 3) seen.camera.focal_px = 40;
+  return seen;
+});
+const Maker half_shut_eye = made([](int variant) { return test::eye_scan(0.3 + 0.05 * variant); });
+const Maker half_shut_shape =
+    made([](int variant) { return test::eye_shape(test::eye_mesh(), 0.45 + 0.05 * variant); });
+const Maker eye_outlines = made([](int variant) {
+  face::Landmarks points = test::eye_outline();
+  for (face::Landmark& p : points.points) p.x_px += 0.5 * variant;
+  return points;
+});
+const Maker drawn_eye = made([](int variant) {
+  face::Image image = test::eye_scan(0.6).picture;
+  for (std::uint8_t& p : image.pixels) p = static_cast<std::uint8_t>(p / (1 + variant));
+  return image;
+});
+const Maker dark_eye = made([](int variant) {
+  face::DepthScan seen = test::eye_scan(1);
+  for (std::uint8_t& p : seen.picture.pixels) p = static_cast<std::uint8_t>(p / (2 + variant));
+  return seen;
+});
+
 const Registered transfer({
     .inputs =
         {
@@ -233,6 +282,17 @@ const Registered transfer({
             {"transfer.judge_lips.places", about_the_lips((test::sheet_upper_lip - 8) * triangles_per_row)},
             {"transfer.judge_lips.truth", about_the_lips((test::sheet_upper_lip - 10) * triangles_per_row)},
             {"transfer.judge_lips.head", heads},
+            {"transfer.find_openings.mesh", eye_mesh},
+            {"transfer.find_openings.reference", open_eye},
+            {"transfer.find_openings.shapes", shut_eye},
+            {"transfer.find_openings.frames", far_eye},
+            {"transfer.draw_openings.drawn", drawn_eye},
+            {"transfer.draw_openings.openings", eye_outlines},
+            {"transfer.draw_openings.mesh", eye_mesh},
+            {"transfer.draw_openings.reference", open_eye},
+            {"transfer.draw_openings.texture", dark_eye},
+            {"transfer.draw_openings.shape", half_shut_shape},
+            {"transfer.draw_openings.frame", half_shut_eye},
         },
     .values = {{"transfer.rest_shape.label", {text("AE")}}},
 });
