@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/base/luma.h"
+
 namespace face::track {
 namespace {
 
@@ -51,11 +53,7 @@ Grey grey_of(const Image& image, int left, int top, int width, int height) {
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* const p = &image.pixels[static_cast<std::size_t>((top + y) * image.width + left) * channels];
     float* const row = &grey.values[static_cast<std::size_t>(y) * columns];
-    if (channels < 3)
-      for (std::size_t i = 0; i < columns; ++i) row[i] = p[i * channels];
-    else
-      for (std::size_t i = 0; i < columns; ++i)
-        row[i] = 0.299f * p[i * channels] + 0.587f * p[i * channels + 1] + 0.114f * p[i * channels + 2];
+    for (std::size_t i = 0; i < columns; ++i) row[i] = grey_value<float>(p + i * channels, image.channels);
   }
   return grey;
 }
