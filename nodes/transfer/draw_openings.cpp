@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/luma.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
 #include "nodes/transfer/draw_texture.h"
@@ -131,7 +132,7 @@ bool column_of(const Outline& outline, double x, double& top, double& bottom) {
 
 double grey_of(const Image& picture, std::size_t i) {
   const std::uint8_t* p = picture.pixels.data() + i * static_cast<std::size_t>(picture.channels);
-  return picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+  return grey_value<double>(p, picture.channels);
 }
 
 // The frame's pixels that a view draws: take(pixel, its index).

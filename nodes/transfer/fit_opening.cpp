@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "nodes/base/luma.h"
 #include "nodes/base/srgb.h"
 
 namespace face::transfer {
@@ -184,7 +185,7 @@ class Fit {
   double grey(int x, int y) const {
     const std::uint8_t* p = frame_.pixels.data() +
                             static_cast<std::size_t>(y * frame_.width + x) * static_cast<std::size_t>(frame_.channels);
-    return frame_.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
+    return grey_value<double>(p, frame_.channels);
   }
 
   const OpeningScene& scene_;

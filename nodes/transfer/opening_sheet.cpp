@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "nodes/base/luma.h"
 #include "nodes/base/srgb.h"
 
 namespace face::transfer {
@@ -233,8 +234,7 @@ OpeningLayers opening_layers(const Image& picture, const Outline& outline) {
   Image skin{picture.width, picture.height, 1, {}};
   for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
     const std::uint8_t* p = picture.pixels.data() + i;
-    skin.pixels.push_back(static_cast<std::uint8_t>(
-        std::lround(picture.channels < 3 ? p[0] : 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2])));
+    skin.pixels.push_back(static_cast<std::uint8_t>(std::lround(grey_value<double>(p, picture.channels))));
   }
   const Image grey = skin;
   Image eye = skin;
