@@ -23,6 +23,17 @@ void Session::launch(Task& task) {
   if (--task.missing == 0) enqueue(task);
 }
 
+// A running task stands still until this one has run (again). A producer of a sequence, such as a film's decoder, then
+// goes before all others: it comes first in the graph, and so would be the last. Only such a one: it waits while the
+// budget is exceeded, where single values would pile up before those who use them.
+void Session::await(Task& task) {
+  const auto streams = [](const Tree* output) { return output->state == Tree::State::sequence; };
+  if (task.awaited || !std::any_of(task.outputs.begin(), task.outputs.end(), streams)) return;
+  const bool queued = ready_.erase(&task) > 0;
+  task.awaited = true;
+  if (queued) ready_.insert(&task);
+}
+
 // The task shall make its values (again).
 void Session::produce(Task& task) {
   if (task.state != Task::State::known) return;
@@ -33,6 +44,7 @@ void Session::produce(Task& task) {
 
 void Session::run_task(Task& task, std::unique_lock<std::mutex>& guard) {
   task.state = Task::State::running;
+  task.awaited = false;
   const NodeInfo& info = *node(task.node).info;
   guard.unlock();
   std::unique_ptr<Store::KeyLock> lock;

@@ -29,15 +29,21 @@ void Level::start() {
 }
 
 bool Level::ready_for(std::size_t index) {
+  const auto lacks_what_follows = [](const Driver& driver, std::size_t at) {
+    const Tree::Sequence& held = *driver.tree->sequence;
+    return driver.window && held.children.size() <= at + static_cast<std::size_t>(driver.after) && !held.complete;
+  };
+  for (const Driver& driver : required_)
+    if (driver.tree->sequence->children.size() <= index || lacks_what_follows(driver, index)) return false;
+  // An element that is there need not wait for the end of its sequence; only then it is known that there is none.
   for (Driver& driver : sparse_) {
     driver.tree = follow(driver.tree);
-    if (driver.tree->state != Tree::State::sequence || !driver.tree->sequence->complete) return false;
-  }
-  for (Driver& driver : required_) {
-    const Tree::Sequence& held = *driver.tree->sequence;
-    if (held.children.size() <= index) return false;
-    if (driver.window && held.children.size() <= index + static_cast<std::size_t>(driver.after) && !held.complete)
-      return false;
+    if (driver.tree->state != Tree::State::sequence) return false;
+    Tree::Sequence& held = *driver.tree->sequence;
+    if (held.complete) continue;
+    held.index();
+    const auto at = held.positions.find(required_[0].tree->sequence->ids[index]);
+    if (at == held.positions.end() || lacks_what_follows(driver, at->second)) return false;
   }
   return true;
 }

@@ -42,12 +42,13 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type, const Tree* sequence, std
     if (leaf->value) return leaf->value;
   }
   ++leaf->pins;
+  await(*leaf->producer);
   produce(*leaf->producer);
   if (sequence) read_ahead(*sequence, index);
   drain();
   const auto there = [&] { return static_cast<bool>(leaf->value) || leaf->producer->state == Task::State::failed; };
   // Small tasks are done before another thread has woken; none of them waits for anything.
-  while (!there() && !stopped_ && !ready_.empty() && suits_batch(*ready_.top())) run_batch(guard);
+  while (!there() && !stopped_ && !ready_.empty() && suits_batch(**ready_.begin())) run_batch(guard);
   wait_blocked(guard, there);
   --leaf->pins;
   if (!leaf->value) {

@@ -58,6 +58,7 @@ struct Task final : Watcher {
   bool repeated = false;      // its outputs are known; it runs to make values again
   bool released = false;      // its inputs are no longer in use
   bool audited = false;       // it runs again to the end, to be compared
+  bool awaited = false;       // a running task stands still until it has run
   std::uint8_t refusals = 0;  // how often another process held its key
   std::uint32_t worker = 0;   // the thread that runs or ran it, from 1
   std::uint32_t serial = 0;
@@ -266,6 +267,7 @@ class Session {
   void wait_blocked(std::unique_lock<std::mutex>& guard, const std::function<bool()>& until);
   // --- execute.cpp
   void launch(Task& task);
+  void await(Task& task);
   void produce(Task& task);
   void run_task(Task& task, std::unique_lock<std::mutex>& guard);
   void compute(Task& task, std::vector<OutputRecord>& records, std::chrono::steady_clock::time_point begin);
@@ -316,10 +318,10 @@ class Session {
   std::deque<Task*> to_resolve_;
   bool draining_ = false;
 
-  struct Later {
-    bool operator()(const Task* a, const Task* b) const;  // true where a comes after b
+  struct Before {
+    bool operator()(const Task* a, const Task* b) const;
   };
-  std::priority_queue<Task*, std::vector<Task*>, Later> ready_;
+  std::set<Task*, Before> ready_;
   struct Postponed {
     std::chrono::steady_clock::time_point until;
     Task* task;

@@ -15,14 +15,15 @@ thread_local std::uint32_t worker_number = 0;  // of this thread, from 1
 
 std::uint32_t Session::current_worker() { return worker_number; }
 
-// Depth first: what is nearest to the outputs, then what was made first.
-bool Session::Later::operator()(const Task* a, const Task* b) const {
-  return a->node != b->node ? a->node < b->node : a->serial > b->serial;
+// What a running task waits for, then depth first: what is nearest to the outputs, then what was made first.
+bool Session::Before::operator()(const Task* a, const Task* b) const {
+  if (a->awaited != b->awaited) return a->awaited;
+  return a->node != b->node ? a->node > b->node : a->serial < b->serial;
 }
 
 void Session::enqueue(Task& task) {
   task.state = Task::State::ready;
-  ready_.push(&task);
+  ready_.insert(&task);
 }
 
 // Another worker takes what this thread will not take soon. One that naps looks by itself: waking it for each of many
@@ -30,7 +31,7 @@ void Session::enqueue(Task& task) {
 void Session::wake_worker() {
   constexpr std::size_t most_left_to_nappers = 512;
   if (ready_.empty() || sleeping_ == 0 || active_ >= most_workers_) return;
-  if (napping_ > 0 && ready_.size() < most_left_to_nappers && is_light(ready_.top()->node)) return;
+  if (napping_ > 0 && ready_.size() < most_left_to_nappers && is_light((*ready_.begin())->node)) return;
   work_.notify_one();
 }
 
@@ -50,7 +51,7 @@ void Session::postpone(Task& task) {
 
 void Session::readmit() {
   while (!held_.empty() && held_.top().until <= std::chrono::steady_clock::now()) {
-    ready_.push(held_.top().task);
+    ready_.insert(held_.top().task);
     held_.pop();
   }
 }
@@ -102,7 +103,7 @@ void Session::worker() {
     }
     ++active_;
     ++running_;
-    if (suits_batch(*ready_.top())) {
+    if (suits_batch(**ready_.begin())) {
       naps_left = naps;
       try {
         run_batch(guard);
@@ -111,8 +112,8 @@ void Session::worker() {
         if (!fatal_) fatal_ = std::current_exception();
       }
     } else {
-      Task* task = ready_.top();
-      ready_.pop();
+      Task* task = *ready_.begin();
+      ready_.erase(ready_.begin());
       wake_worker();
       task->worker = worker_number;
       try {

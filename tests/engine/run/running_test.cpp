@@ -98,6 +98,24 @@ TEST_F(Running, AGatherReadsACheapSequenceInOnePass) {
   EXPECT_EQ(passes, 1u);
 }
 
+TEST_F(Running, AnOptionalInputThatFollowsAStreamIsReadInTheSamePass) {
+  const std::string nodes = R"("numbers": {"node": "toy.count_up", "params": {"count": 500}},
+"shown": {"node": "toy.number_text", "inputs": {"number": "numbers"}},
+"lengths": {"node": "toy.length", "inputs": {"text": "shown"}},
+"sums": {"node": "toy.add", "inputs": {"a": "numbers", "b": "lengths"}},
+"total": {"node": "toy.sum_all", "inputs": {"numbers": "sums"}},
+"text": {"node": "toy.number_text", "inputs": {"number": "total"}},
+"all": {"node": "toy.write_text", "inputs": {"text": "text"}})";
+  std::size_t passes = 0;
+  engine::RunOptions options;
+  options.observer = [&](const engine::RunEvent& event) {
+    passes += event.kind == engine::RunEvent::Kind::started && event.node == "numbers";
+  };
+  EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")"), options).failures, std::vector<std::string>{});
+  EXPECT_EQ(out("all.txt"), "126140");  // 0 + ... + 499, and 10 of 1, 90 of 2, 400 of 3 digits
+  EXPECT_EQ(passes, 1u);
+}
+
 TEST_F(Running, ASmallBudgetMakesCheapValuesAgainRatherThanHoldThem) {
   const std::string nodes = R"("numbers": {"node": "toy.count_up", "params": {"count": 30}},
 "blobs": {"node": "toy.cheap_blob", "inputs": {"number": "numbers"}, "params": {"size_mb": 1}},

@@ -126,6 +126,36 @@ TEST_F(Scheduling, AnElementCanBePickedFromASequenceThatIsStillToCome) {
   }
 }
 
+// A film that is read once more comes first in the graph, and so would come after everything that is ready.
+TEST_F(Scheduling, AStreamThatARunningTaskWaitsForGoesBeforeTasksNearerToTheOutputs) {
+  const std::string nodes =
+      R"("a_film": {"node": "toy.blob_film", "params": {"count": 30, "size_mb": 0.1, "seconds": 0}},
+"b_sizes": {"node": "toy.blob_size", "inputs": {"blob": "a_film"}},
+"c_sum": {"node": "toy.sum_all", "inputs": {"numbers": "b_sizes"}},
+"d_numbers": {"node": "toy.count_up", "params": {"count": 30}},
+"d_sums": {"node": "toy.add", "inputs": {"a": "d_numbers", "b": "c_sum"}},
+"e_texts": {"node": "toy.number_text", "inputs": {"number": "d_sums"}},
+"f_slow": {"node": "toy.sleep", "inputs": {"text": "e_texts"}, "params": {"seconds": 0.003}},
+"g_total": {"node": "toy.total_size", "inputs": {"blobs": "a_film"}},
+"h_text": {"node": "toy.number_text", "inputs": {"number": "g_total"}},
+"i_file": {"node": "toy.write_text", "inputs": {"text": "h_text"}},
+"j_all": {"node": "toy.join_texts", "inputs": {"texts": "f_slow"}})";
+  std::size_t slow = 0, slow_before_total = 99;
+  engine::RunOptions options;
+  options.threads = 1;
+  options.memory_bytes = 500'000;
+  options.observer = [&](const engine::RunEvent& event) {
+    if (event.kind != engine::RunEvent::Kind::finished) return;
+    slow += event.node == "f_slow";
+    if (event.node == "g_total") slow_before_total = slow;
+  };
+  EXPECT_EQ(run(graph(nodes, R"("total.txt": "i_file", "all.txt": "j_all")"), options).failures,
+            std::vector<std::string>{});
+  EXPECT_EQ(out("total.txt"), "3000000");
+  EXPECT_EQ(slow, 30u);
+  EXPECT_LT(slow_before_total, 15u);
+}
+
 // Tasks of the window run while elements are still being pushed.
 TEST_F(Scheduling, WindowsOfAGrowingSequenceReadTheirNeighbours) {
   const std::string nodes = R"("numbers": {"node": "toy.count_up", "params": {"count": 3000}},
