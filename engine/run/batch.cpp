@@ -75,7 +75,7 @@ bool Session::suits_batch(const Task& task) const {
 }
 
 void Session::run_batch(std::unique_lock<std::mutex>& guard) {
-  const int node_index = (*ready_.begin())->node;
+  const int node_index = next_ready().node;
   const NodeInfo& info = *node(node_index).info;
   const std::size_t inputs = info.inputs.size(), outputs = info.outputs.size();
   std::vector<Task*> tasks;
@@ -84,7 +84,7 @@ void Session::run_batch(std::unique_lock<std::mutex>& guard) {
   values.reserve(most_tasks * inputs);
   std::size_t bytes = 0;
   while (!ready_.empty() && tasks.size() < most_tasks && bytes < most_bytes) {
-    Task* task = *ready_.begin();
+    Task* task = &next_ready();
     if (task->node != node_index || !suits_batch(*task)) break;
     ready_.erase(ready_.begin());
     task->state = Task::State::running;

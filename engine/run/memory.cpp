@@ -48,7 +48,7 @@ Value Session::fetch(Tree* leaf, const TypeInfo& type, const Tree* sequence, std
   drain();
   const auto there = [&] { return static_cast<bool>(leaf->value) || leaf->producer->state == Task::State::failed; };
   // Small tasks are done before another thread has woken; none of them waits for anything.
-  while (!there() && !stopped_ && !ready_.empty() && suits_batch(**ready_.begin())) run_batch(guard);
+  while (!there() && !stopped_ && !ready_.empty() && suits_batch(next_ready())) run_batch(guard);
   wait_blocked(guard, there);
   --leaf->pins;
   if (!leaf->value) {

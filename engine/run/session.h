@@ -322,6 +322,7 @@ class Session {
     bool operator()(const Task* a, const Task* b) const;
   };
   std::set<Task*, Before> ready_;
+  Task& next_ready() const { return **ready_.begin(); }
   struct Postponed {
     std::chrono::steady_clock::time_point until;
     Task* task;

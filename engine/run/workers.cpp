@@ -31,7 +31,7 @@ void Session::enqueue(Task& task) {
 void Session::wake_worker() {
   constexpr std::size_t most_left_to_nappers = 512;
   if (ready_.empty() || sleeping_ == 0 || active_ >= most_workers_) return;
-  if (napping_ > 0 && ready_.size() < most_left_to_nappers && is_light((*ready_.begin())->node)) return;
+  if (napping_ > 0 && ready_.size() < most_left_to_nappers && is_light(next_ready().node)) return;
   work_.notify_one();
 }
 
@@ -103,7 +103,7 @@ void Session::worker() {
     }
     ++active_;
     ++running_;
-    if (suits_batch(**ready_.begin())) {
+    if (suits_batch(next_ready())) {
       naps_left = naps;
       try {
         run_batch(guard);
@@ -112,7 +112,7 @@ void Session::worker() {
         if (!fatal_) fatal_ = std::current_exception();
       }
     } else {
-      Task* task = *ready_.begin();
+      Task* task = &next_ready();
       ready_.erase(ready_.begin());
       wake_worker();
       task->worker = worker_number;

@@ -80,13 +80,13 @@ class SeenMouth {
     if (corners_) {
       const Landmarks& seen = key_shapes_.shapes[k].landmarks;
       const double wider_mm = mm_per_px_ * (width_px(seen) - width_px(neutral_)) -
-                              (offsets[corners_->below][0] - offsets[corners_->above][0]);
+                              (offsets[corners_->second][0] - offsets[corners_->first][0]);
       const double sure = wider_mm * wider_mm / (wider_mm * wider_mm + width_error_mm * width_error_mm);
       for (std::size_t i = 0; i < across_.size(); ++i) offsets[i][0] += across_[i] * sure * wider_mm;
     }
     for (const Pair& pair : pairs_) {
       const double seen_mm = mm_per_px_ * (gap_px(key_shapes_.shapes[k].landmarks, pair) - gap_px(neutral_, pair));
-      double &above = offsets[pair.above][1], &below = offsets[pair.below][1];
+      double &above = offsets[pair.first][1], &below = offsets[pair.second][1];
       const double share = 1 / (1 + std::pow(seen_mm / clear_gap_mm, 2));
       part(above, below, share * (seen_mm - (above - below)));
     }
@@ -95,7 +95,7 @@ class SeenMouth {
   // How much wider the mouth is in a frame than in the mixture of key shapes: these weights leave that out, since none
   // is negative.
   double missing_width_mm(const Landmarks& frame, const Weights& weights) const {
-    if (!corners_ || !frame.points[corners_->above_mark].valid || !frame.points[corners_->below_mark].valid) return 0;
+    if (!corners_ || !frame.points[corners_->first_mark].valid || !frame.points[corners_->second_mark].valid) return 0;
     double wider_px = width_px(frame) - width_px(neutral_);
     for (std::size_t k = 0; k < weights.values.size(); ++k)
       wider_px -=
@@ -108,20 +108,20 @@ class SeenMouth {
 
  private:
   struct Pair {
-    std::size_t above, below;            // places, which are the first targets
-    std::size_t above_mark, below_mark;  // landmarks
+    std::size_t first, second;            // places, which are the first targets
+    std::size_t first_mark, second_mark;  // landmarks
   };
   static double gap_px(const Landmarks& landmarks, const Pair& pair) {
-    return landmarks.points[pair.below_mark].y_px - landmarks.points[pair.above_mark].y_px;
+    return landmarks.points[pair.second_mark].y_px - landmarks.points[pair.first_mark].y_px;
   }
   double width_px(const Landmarks& landmarks) const {
-    return landmarks.points[corners_->below_mark].x_px - landmarks.points[corners_->above_mark].x_px;
+    return landmarks.points[corners_->second_mark].x_px - landmarks.points[corners_->first_mark].x_px;
   }
   const KeyShapes& key_shapes_;
   const Landmarks& neutral_;
   double mm_per_px_ = 0;
-  std::vector<Pair> pairs_;
-  std::optional<Pair> corners_;  // the right one `above`
+  std::vector<Pair> pairs_;      // upper lip, lower lip
+  std::optional<Pair> corners_;  // right, left
   std::vector<double> across_;   // of every place: -0.5 at the right corner, 0.5 at the left one; 0 beside the mouth
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "nodes/model/face_pose.h"
 #include "nodes/model/pose_model.h"

@@ -12,7 +12,7 @@
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
 #include "nodes/track/face_contrast.h"
-#include "nodes/track/face_light.h"
+#include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
 
 namespace face::track {
@@ -181,8 +181,8 @@ std::optional<Thickness> expected_thickness(const Landmarks& rest, const Landmar
 Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Landmarks* rest, const Matrix* light,
                      const InnerLipsOptions& options) {
   check_image(picture, "the image");
-  const Image lit = light ? relit(picture, light_of(*light)) : Image{};
-  const Image& image = light ? lit : picture;
+  Image room;
+  const Image& image = in_start_light(picture, light ? light_of(*light) : LightChange{}, room);
   for (const Landmark& point : landmarks.points)
     check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
   const MouthWidth width = mouth_width(landmarks);

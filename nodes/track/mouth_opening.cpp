@@ -7,7 +7,7 @@
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
-#include "nodes/track/face_light.h"
+#include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
 
 namespace face::track {
@@ -44,8 +44,8 @@ double usual_width_px(const Landmarks& landmarks, const MouthWidth& width) {
 
 double mouth_opening(const Image& picture, const Landmarks& landmarks, const Matrix* light) {
   check_image(picture, "the image");
-  const Image lit = light ? relit(picture, light_of(*light)) : Image{};
-  const Image& image = light ? lit : picture;
+  Image room;
+  const Image& image = in_start_light(picture, light ? light_of(*light) : LightChange{}, room);
   const MouthWidth width = mouth_width(landmarks);
   const LipLine line = lip_line(landmarks, 3);
   const LipLine corners = {find_landmark(landmarks, "lip_0"), find_landmark(landmarks, "lip_6")};

@@ -8,10 +8,10 @@
 
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
-#include "nodes/track/face_light.h"
 #include "nodes/track/find_face.h"
 #include "nodes/track/head_motion.h"
 #include "nodes/track/jaw_line.h"
+#include "nodes/track/light_change.h"
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
 #include "nodes/track/shrink.h"
@@ -65,7 +65,7 @@ TrackKltResult begin(const Knowledge& known, const Image& frame, const Grey& now
   if (!known.bonds.depths_px.empty()) result.head_look = learn_head(now, known.start);
   if (!result.head_look.pixels.empty()) {
     result.head = head_numbers({start_pose(known.start), 1});
-    result.face_colours = learn_face_light(frame, known.start);
+    result.face_colours = learn_light(frame, known.start);
     result.light = light_numbers({});
   }
   result.confidence = {known.start.points.size(), 1, std::vector<double>(known.start.points.size(), 1.0)};
@@ -211,10 +211,9 @@ void advance(Knowledge& known, const FlowPair& flow, const Image& frame, const G
   }
   constexpr double well_seen = 0.7;  // likeness of a head that nothing hides: a hand before it is no lamp
   if (known.bonds.head && result.head.values.back() >= well_seen)
-    result.light = light_numbers(see_face_light(frame, known.start, *known.bonds.head, result.face_colours));
-  const FaceLight light = light_of(result.light);
-  const Image relit_frame = light.is_same() ? Image{} : relit(frame, light);
-  const Image& lit = light.is_same() ? frame : relit_frame;
+    result.light = light_numbers(see_light_change(frame, known.start, *known.bonds.head, result.face_colours));
+  Image room;
+  const Image& lit = in_start_light(frame, light_of(result.light), room);
   const Shrink coarse = coarse_shrink(known, frame);
   const Image small = result.coarse_look.rows > 0 ? coarse.image(lit) : Image{};
   std::vector<LipPicture> lips;

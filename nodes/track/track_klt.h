@@ -47,7 +47,7 @@ struct TrackKltResult {
   // The head's pose since the start, 7 x 1: nod, turn, tilt (rad), logarithm of the scale, where the middle between the
   // eyes is (x and y, px), and how alike the head is (1 = the same); 0 x 0 without head_look.
   Matrix head;
-  Image face_colours;  // what light is told by at the start (face_light.h); empty where the head is not followed
+  Image face_colours;  // what light is told by at the start (light_change.h); empty where the head is not followed
   // What takes a level of this frame to one in the light of the start, 3 x 2: gain and offset of red, green and blue;
   // 0 x 0 without face_colours.
   Matrix light;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "nodes/base/luma.h"
 #include "nodes/base/srgb.h"
@@ -97,10 +98,10 @@ class SheetCutter {
     for (int r = 1; r < rows; ++r) sheet_.rim.push_back(id(at(columns - 1, r)));
     for (int c = columns - 2; c >= 0; --c) sheet_.rim.push_back(id(at(c, rows - 1)));
     for (int r = rows - 2; r > 0; --r) sheet_.rim.push_back(id(at(0, r)));
-    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> seen;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const render::Triangle& t : sheet_.triangles)
-      for (std::size_t k = 0; k < 3; ++k) seen[std::minmax(t[k], t[(k + 1) % 3])] = true;
-    for (const auto& [edge, there] : seen) sheet_.edges.push_back(edge);
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+    sheet_.edges.assign(edges.begin(), edges.end());
     follow_outline();
   }
 

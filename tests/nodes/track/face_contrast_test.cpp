@@ -14,12 +14,8 @@ namespace {
 using namespace face;
 using track::face_contrast;
 
-const test::PhantomClip& speaker() {
-  static const test::PhantomClip clip = test::film_phantom("Bob.", 1, test::Dots::none);
-  return clip;
-}
-const Image& picture() { return *speaker().frames[0]; }
-const Landmarks& points() { return speaker().truth[0]; }
+const Image& picture() { return *test::resting_speaker().frames[0]; }
+const Landmarks& points() { return test::resting_speaker().truth[0]; }
 
 // Every value, with the place across the picture, 0 to 1.
 template <class Function>

@@ -67,4 +67,10 @@ inline PhantomClip film_phantom(const std::string& text, std::size_t count, Dots
   return clip;
 }
 
+// One picture of a speaker at rest, for tests of what is seen in it.
+inline const PhantomClip& resting_speaker() {
+  static const PhantomClip clip = film_phantom("Bob.", 1, Dots::none);
+  return clip;
+}
+
 }  // namespace test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/track/face_light.h"
+#include "nodes/track/light_change.h"
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,8 @@ namespace {
 using namespace face;
 using namespace face::track;
 
-const test::PhantomClip& speaker() {
-  static const test::PhantomClip clip = test::film_phantom("Bob.", 1, test::Dots::none);
-  return clip;
-}
-const Image& picture() { return *speaker().frames[0]; }
-const Landmarks& points() { return speaker().truth[0]; }
+const Image& picture() { return *test::resting_speaker().frames[0]; }
+const Landmarks& points() { return test::resting_speaker().truth[0]; }
 
 template <class Function>
 Image changed(Image image, const Function& value_of) {
@@ -30,16 +26,15 @@ Image changed(Image image, const Function& value_of) {
   return image;
 }
 
-FaceLight light_in(const Image& image) {
-  return see_face_light(image, points(), head_at(start_pose(points()), points()),
-                        learn_face_light(picture(), points()));
+LightChange light_in(const Image& image) {
+  return see_light_change(image, points(), head_at(start_pose(points()), points()), learn_light(picture(), points()));
 }
 
 }  // namespace
 
-TEST(FaceLight, TellsGainAndOffsetOfEveryColour) {
+TEST(LightChange, TellsGainAndOffsetOfEveryColour) {
   const std::array<double, 3> gain{0.6, 0.7, 0.8}, offset{20, -5, 30};
-  const FaceLight light =
+  const LightChange light =
       light_in(changed(picture(), [&](double v, std::size_t c) { return gain[c] * v + offset[c]; }));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(light.gain[c], 1 / gain[c], 0.03) << c;  // whole grey values
@@ -47,22 +42,22 @@ TEST(FaceLight, TellsGainAndOffsetOfEveryColour) {
   }
 }
 
-TEST(FaceLight, IsTheSameWhereALittleHasChanged) {
+TEST(LightChange, IsTheSameWhereALittleHasChanged) {
   EXPECT_TRUE(light_in(picture()).is_same());
   EXPECT_TRUE(light_in(changed(picture(), [](double v, std::size_t) { return v + 5; })).is_same());
   EXPECT_FALSE(light_in(changed(picture(), [](double v, std::size_t) { return v + 20; })).is_same());
 }
 
 // A lamp that clips red in most of the face, as film of real people has it.
-TEST(FaceLight, GoesByTheOtherColoursWhereOneIsClipped) {
+TEST(LightChange, GoesByTheOtherColoursWhereOneIsClipped) {
   const double lamp = 255 - 0.9 * (*std::max_element(picture().pixels.begin(), picture().pixels.end()));
   const Image bright = changed(picture(), [&](double v, std::size_t c) { return v + (c == 0 ? lamp + 60 : 40); });
-  const FaceLight light = light_in(bright);
+  const LightChange light = light_in(bright);
   EXPECT_NEAR(light.gain[0], 1, 0.1);
   EXPECT_NEAR(light.offset[1], -40, 3);
 }
 
-TEST(FaceLight, RelitPicturesLookAsAtTheStart) {
+TEST(LightChange, RelitPicturesLookAsAtTheStart) {
   const Image dim = changed(picture(), [](double v, std::size_t) { return 0.5 * v + 30; });
   const Image lit = relit(dim, light_of(light_numbers(light_in(dim))));
   double square = 0;
@@ -72,13 +67,13 @@ TEST(FaceLight, RelitPicturesLookAsAtTheStart) {
   EXPECT_EQ(relit(picture(), {}).pixels, picture().pixels);
 }
 
-TEST(FaceLight, RejectsWhatIsNoLight) {
+TEST(LightChange, RejectsWhatIsNoLight) {
   EXPECT_TRUE(light_of({}).is_same());
   EXPECT_THROW_TEXT(light_of({2, 2, {1, 0, 1, 0}}), "light is 2 x 2, expected 3 x 2 as track.klt gives it");
 }
 
 // A lamp that was turned on left lips at half their height.
-TEST(FaceLight, LipsAreFollowedWhereALampIsTurnedOn) {
+TEST(LightChange, LipsAreFollowedWhereALampIsTurnedOn) {
   const test::PhantomClip clip = test::film_phantom("Bob.", 16, test::Dots::none);
   constexpr std::size_t on_from = 6;
   auto frames = clip.frames;

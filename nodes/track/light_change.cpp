@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nodes/track/face_light.h"
+#include "nodes/track/light_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ std::vector<Knot> solid_knots(const RasterFrame& frame) {
 
 }  // namespace
 
-Image learn_face_light(const Image& image, const Landmarks& start) {
+Image learn_light(const Image& image, const Landmarks& start) {
   const RasterFrame frame = raster_frame(start);
   if (!frame.valid) return {0, 0, 1, {}};
   const std::vector<Knot> knots = solid_knots(frame);
@@ -95,7 +95,7 @@ Image learn_face_light(const Image& image, const Landmarks& start) {
   return learnt;
 }
 
-FaceLight see_face_light(const Image& image, const Landmarks& start, const SolidHead& head, const Image& learnt) {
+LightChange see_light_change(const Image& image, const Landmarks& start, const SolidHead& head, const Image& learnt) {
   constexpr std::size_t least_pairs = 20;
   // Root mean square change of the levels up to which, and from which on, the light is another one.
   constexpr double same = 8, other = 16;
@@ -120,7 +120,7 @@ FaceLight see_face_light(const Image& image, const Landmarks& start, const Solid
     lines[c] = robust_line(pairs[c]);
     gain_sum += lines[c].gain, ++gains;
   }
-  FaceLight light;
+  LightChange light;
   double square = 0;
   for (std::size_t c = 0; c < colours; ++c) {
     if (!tells_gain(c)) lines[c] = robust_line(pairs[c], gains > 0 ? gain_sum / gains : 1);
@@ -138,9 +138,9 @@ FaceLight see_face_light(const Image& image, const Landmarks& start, const Solid
   return light;
 }
 
-Image relit(const Image& image, const FaceLight& light) {
+Image relit(const Image& image, const LightChange& light) {
+  if (light.is_same()) return image;
   Image out = image;
-  if (light.is_same()) return out;
   std::array<std::array<std::uint8_t, 256>, 3> levels{};
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t level = 0; level < 256; ++level)
@@ -152,16 +152,22 @@ Image relit(const Image& image, const FaceLight& light) {
   return out;
 }
 
-Matrix light_numbers(const FaceLight& light) {
+const Image& in_start_light(const Image& picture, const LightChange& light, Image& room) {
+  if (light.is_same()) return picture;
+  room = relit(picture, light);
+  return room;
+}
+
+Matrix light_numbers(const LightChange& light) {
   const auto& [gain, offset] = light;
   return {3, 2, {gain[0], offset[0], gain[1], offset[1], gain[2], offset[2]}};
 }
 
-FaceLight light_of(const Matrix& numbers) {
+LightChange light_of(const Matrix& numbers) {
   if (numbers.rows == 0) return {};
   check(numbers.rows == 3 && numbers.columns == 2 && numbers.values.size() == 6, "light is ", numbers.rows, " x ",
         numbers.columns, ", expected 3 x 2 as track.klt gives it");
-  FaceLight light;
+  LightChange light;
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t k = 0; k < 2; ++k)
       check(std::isfinite(numbers.at(c, k)), "light has ", numbers.at(c, k), ", expected finite numbers");
