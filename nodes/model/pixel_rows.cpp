@@ -4,14 +4,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "nodes/model/light_model.h"
 #include "nodes/phantom/cast_shadow.h"
 #include "nodes/render/camera.h"
-#include "nodes/render/rasterize.h"
-#include "nodes/render/rgb_image.h"
 #include "nodes/render/triangulate.h"
 
 namespace face::model {
@@ -20,7 +16,6 @@ namespace {
 using Vec3 = Eigen::Vector3d;
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-constexpr double blur_px = 0.7;
 constexpr float shadow_edge_mm = 4;
 constexpr double least_facing = 0.12;  // cosine of normal and line of sight below which a point is not compared
 constexpr double least_reflectance = 1e-4;
@@ -53,51 +48,11 @@ void add_mode(const float* __restrict mode, std::size_t count, const Vec3f& weig
 }
 
 Vec3 vec(const Vec3f& v) { return {v[0], v[1], v[2]}; }
+Vec3f array_of(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
 
 }  // namespace
-
-PictureLevel make_level(const Image& picture, double factor, double exposure) {
-  const Image rgb = render::rgb_image(picture);
-  cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data())), small;
-  PictureLevel level;
-  level.width = std::max(8, static_cast<int>(std::lround(rgb.width * factor)));
-  level.height = std::max(8, static_cast<int>(std::lround(rgb.height * factor)));
-  level.factor = static_cast<double>(level.width) / rgb.width;
-  source.convertTo(small, CV_32FC3, 1.0 / (255.0 * exposure));
-  cv::resize(small, small, {level.width, level.height}, 0, 0, cv::INTER_AREA);
-  cv::GaussianBlur(small, small, {0, 0}, blur_px);
-  level.samples.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
-  const auto at = [&](int x, int y) {
-    return small.at<cv::Vec3f>(std::clamp(y, 0, level.height - 1), std::clamp(x, 0, level.width - 1));
-  };
-  for (int y = 0; y < level.height; ++y)
-    for (int x = 0; x < level.width; ++x) {
-      auto& s = level.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
-                              static_cast<std::size_t>(x)];
-      const cv::Vec3f here = at(x, y), right = at(x + 1, y), left = at(x - 1, y), down = at(x, y + 1),
-                      up = at(x, y - 1);
-      for (int c = 0; c < 3; ++c) {
-        s[static_cast<std::size_t>(c)] = here[c];
-        s[static_cast<std::size_t>(3 + c)] = 0.5f * (right[c] - left[c]);
-        s[static_cast<std::size_t>(6 + c)] = 0.5f * (down[c] - up[c]);
-      }
-    }
-  return level;
-}
-
-std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px) {
-  const double x = std::clamp(x_px, 0.0, level.width - 1.001), y = std::clamp(y_px, 0.0, level.height - 1.001);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-  const std::array<float, 9>* row = level.samples.data() +
-                                    static_cast<std::size_t>(y0) * static_cast<std::size_t>(level.width) +
-                                    static_cast<std::size_t>(x0);
-  const std::array<float, 9>* below = row + level.width;
-  std::array<float, 9> result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result[i] = (1 - fy) * ((1 - fx) * row[0][i] + fx * row[1][i]) + fy * ((1 - fx) * below[0][i] + fx * below[1][i]);
-  return result;
-}
 
 std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera) {
   const auto [x, y, z] = normal_in_camera;
@@ -122,47 +77,6 @@ FaceLight moved(const FaceLight& light, const double* step) {
   return result;
 }
 
-DrawnSkin draw_skin(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
-                    const PictureLevel& level) {
-  DrawnSkin drawn;
-  drawn.screen = render::project(camera_of(scaled(pose, level.factor)), posed_mm);
-  render::RasterOptions options;
-  options.width_px = level.width;
-  options.height_px = level.height;
-  drawn.raster = render::rasterize(drawn.screen, basis.triangles, options);
-  return drawn;
-}
-
-std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
-                                     const PictureLevel& level, std::size_t points, Random& random,
-                                     std::size_t& visible) {
-  return choose_points(basis, draw_skin(basis, posed_mm, pose, level), points, random, visible);
-}
-
-std::vector<SkinPoint> choose_points(const SkinBasis& basis, const DrawnSkin& drawn, std::size_t points, Random& random,
-                                     std::size_t& visible) {
-  const render::Raster& raster = drawn.raster;
-  std::vector<std::uint32_t> seen;
-  for (std::uint32_t i = 0; i < raster.triangles.size(); ++i)
-    if (raster.triangles[i] >= 0) seen.push_back(i);
-  visible = seen.size();
-  std::vector<SkinPoint> chosen(std::min(points, seen.size()));
-  for (std::size_t n = 0; n < chosen.size(); ++n) {
-    // A partial shuffle (Durstenfeld, Algorithm 235: Random Permutation, 1964).
-    const std::size_t pick = n + static_cast<std::size_t>(random.uniform() * static_cast<double>(seen.size() - n));
-    std::swap(seen[n], seen[pick]);
-    const auto width = static_cast<std::uint32_t>(raster.width_px);
-    chosen[n].triangle = static_cast<std::uint32_t>(raster.triangles[seen[n]]);
-    chosen[n].weights =
-        render::barycentrics_at(drawn.screen, basis.triangles[chosen[n].triangle], static_cast<float>(seen[n] % width),
-                                static_cast<float>(seen[n] / width));
-  }
-  // Neighbours after each other share what they read of modes and picture, which is most of the time they take.
-  std::sort(chosen.begin(), chosen.end(),
-            [](const SkinPoint& a, const SkinPoint& b) { return a.triangle < b.triangle; });
-  return chosen;
-}
-
 std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state) {
   const std::vector<Vec3f> points = posed_skin(basis, identity, state.expression);
   const Vec3 light = Eigen::Map<const Rows3>(state.pose.rotation.data()).transpose() * vec(state.light.direction);
@@ -182,194 +96,318 @@ PixelRows pixel_rows(const SkinBasis& basis, const std::vector<double>& identity
   return rows;
 }
 
-PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, const std::vector<Vec3f>& posed,
-                  const std::vector<Vec3f>& albedo, const PictureState& state, const PictureLevel& level,
-                  const PixelColumns& columns) {
-  const std::vector<Vec3f> normals = render::vertex_normals(posed, basis.triangles);
-  const FacePose pose = scaled(state.pose, level.factor);
-  const Camera camera = camera_of(pose);
-  PixelRows rows;
-  rows.columns = columns.size();
-  rows.jacobian.reserve(3 * points.size() * rows.columns);
-  rows.residual.reserve(3 * points.size());
+namespace {
 
-  const Eigen::Map<const Rows3> rotation(pose.rotation.data());
-  const Vec3 light_in_camera = vec(state.light.direction);
-  const Vec3 light = rotation.transpose() * light_in_camera;
-  const auto light_turns = tangents(light_in_camera);
-  const bool is_mirrored = columns.light || state.light.mirror != Vec2f{0, 0};
-  const bool is_shaded = columns.shading || state.shading != std::array<double, shading_parameters>{};
-  const Vec3 eye = vec(camera.position_mm);
-  // How the eye moves with the logarithm of the focal length: away, so that the head stays as large.
-  const Vec3 forward = rotation.row(2);
-  const Vec3 eye_by_focal = -forward.dot(Vec3(pose.centre_mm[0], pose.centre_mm[1], pose.centre_mm[2]) - eye) * forward;
-  const std::size_t shapes = basis.shapes();
-  std::size_t overexposed = 0, dark = 0;
-  double brightness = 0;
-  std::array<std::array<float, 9>, 3> shape_weights{}, albedo_weights{};  // of a channel: of corners, x y z or R G B
+// What is the same for all points of a picture; in the model's frame where the camera's is not named.
+struct LitView {
+  LitView(const PictureState& picture, const PictureLevel& level)
+      : state(picture),
+        pose(scaled(picture.pose, level.factor)),
+        rotation(Eigen::Map<const Rows3>(pose.rotation.data())),
+        light_in_camera(vec(picture.light.direction)),
+        light(rotation.transpose() * light_in_camera),
+        light_turns(tangents(light_in_camera)),
+        eye(vec(camera_of(pose).position_mm)) {
+    const Vec3 forward = rotation.row(2);
+    eye_by_focal = -forward.dot(Vec3(pose.centre_mm[0], pose.centre_mm[1], pose.centre_mm[2]) - eye) * forward;
+  }
 
-  const std::size_t shape_bytes = rows.columns > FacePose::size ? 3 * shapes * sizeof(float) : 0;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const SkinPoint& skin_point = points[n];
-    if (n + fetched_ahead < points.size())
-      for (const std::uint32_t v : basis.triangles[points[n + fetched_ahead].triangle])
-        fetch(basis.shape_modes.data() + 3 * v * shapes, shape_bytes);
-    const auto& triangle = basis.triangles[skin_point.triangle];
-    const Vec3f& bary = skin_point.weights;
-    Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), reflectance = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-      point += bary[i] * vec(posed[triangle[i]]);
-      normal += bary[i] * vec(normals[triangle[i]]);
-      reflectance += bary[i] * vec(albedo[triangle[i]]);
+  const PictureState& state;
+  FacePose pose;  // in pixels of the level
+  Rows3 rotation;
+  Vec3 light_in_camera, light;
+  std::array<Vec3, 2> light_turns;  // in the camera's frame
+  Vec3 eye;
+  Vec3 eye_by_focal;  // by the logarithm of the focal length: away, so that the head stays as large
+};
+
+// A point of skin as it is posed, mm.
+struct PosedPoint {
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), reflectance = Vec3::Zero(), to_eye = Vec3::Zero();
+  double share = 1;  // of the parallel light that falls on it
+};
+
+PosedPoint posed_point(const SkinPoint& chosen, const std::array<std::uint32_t, 3>& triangle,
+                       const std::vector<Vec3f>& posed, const std::vector<Vec3f>& normals,
+                       const std::vector<Vec3f>& albedo, const LitView& view) {
+  PosedPoint at;
+  const Vec3f& bary = chosen.weights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at.point += bary[i] * vec(posed[triangle[i]]);
+    at.normal += bary[i] * vec(normals[triangle[i]]);
+    at.reflectance += bary[i] * vec(albedo[triangle[i]]);
+  }
+  if (chosen.albedo) at.reflectance = vec(*chosen.albedo);
+  at.reflectance = at.reflectance.cwiseMax(least_reflectance);
+  at.normal.normalize();
+  at.to_eye = (view.eye - at.point).normalized();
+  if (!view.state.seen.empty()) {
+    at.share = 0;
+    for (std::size_t i = 0; i < 3; ++i) at.share += static_cast<double>(bary[i]) * view.state.seen[triangle[i]];
+  }
+  return at;
+}
+
+// The parallel light as a point mirrors it, before its colour.
+struct Mirrored {
+  double value = 0, slope = 0;  // by the cosine of normal and halfway
+  Lobes lobes;                  // what each adds for a weight of 1
+  Vec3 halfway = Vec3::Zero();  // between the light and the eye
+  double half_length = 0;       // of the sum of the two directions
+};
+
+Mirrored mirrored_at(const PosedPoint& at, const LitView& view, bool mirrors) {
+  Mirrored mirrored;
+  mirrored.half_length = std::max(1e-9, (view.light + at.to_eye).norm());
+  if (!mirrors || !(at.normal.dot(view.light) > 0)) return mirrored;
+  mirrored.halfway = (view.light + at.to_eye) / mirrored.half_length;
+  mirrored.lobes = lobes_at(at.normal.dot(mirrored.halfway));
+  for (std::size_t k = 0; k < mirrored.lobes.value.size(); ++k) {
+    const auto weight = static_cast<double>(view.state.light.mirror[k]);
+    mirrored.lobes.value[k] *= at.share;
+    mirrored.value += weight * mirrored.lobes.value[k];
+    mirrored.slope += weight * at.share * mirrored.lobes.slope[k];
+  }
+  return mirrored;
+}
+
+// The colour of a point in the picture, value_c = gain_c mix(srgb(L albedo))_c + offset_c, and its derivatives.
+struct Shade {
+  std::array<double, 3> value{}, encoded{}, strength{};  // of the picture; before mixing; of the light
+  double grey = 0;                                       // luma of encoded
+  Rows3 by_lit = Rows3::Zero();                          // by the lit albedo; row: channel
+  Vec3 by_cosine = Vec3::Zero();                         // of normal and light
+  Vec3 by_mirrored = Vec3::Zero();                       // by the mirrored share of the light
+  Vec3 by_halfway = Vec3::Zero();                        // by the cosine of normal and halfway
+};
+
+Shade shade_at(const PosedPoint& at, const Mirrored& mirrored, const LitView& view) {
+  const FaceLight& light = view.state.light;
+  const double cosine = at.normal.dot(view.light);
+  Shade shade;
+  std::array<double, 3> slope;
+  for (std::size_t c = 0; c < 3; ++c) {
+    shade.strength[c] = light_at(light, c, at.share * cosine);
+    const double lit = shade.strength[c] * at.reflectance[static_cast<Eigen::Index>(c)] +
+                       mirrored.value * static_cast<double>(light.parallel[c]);
+    shade.encoded[c] = srgb_of(lit);
+    slope[c] = srgb_slope(lit, shade.encoded[c]);
+    shade.grey += luma[c] * shade.encoded[c];
+  }
+  shade.value = mixed(light, shade.encoded);
+  for (Eigen::Index c = 0; c < 3; ++c)
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto ci = static_cast<std::size_t>(c), ki = static_cast<std::size_t>(k);
+      shade.by_lit(c, k) =
+          light.gain[ci] * ((c == k ? light.contrast : 0.0f) + (1.0 - light.contrast) * luma[ki]) * slope[ki];
     }
-    if (skin_point.albedo) reflectance = vec(*skin_point.albedo);
-    normal.normalize();
-    const Vec3 to_eye = (eye - point).normalized();
-    if (normal.dot(to_eye) < least_facing) continue;
-    reflectance = reflectance.cwiseMax(least_reflectance);
-    const PoseView at =
-        view(pose, {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
-    const std::array<float, 9> picture = sample_at(level, at.x_px, at.y_px);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const float parallel = light.parallel[static_cast<std::size_t>(k)];
+    if (cosine > 0) shade.by_cosine += shade.by_lit.col(k) * (at.share * at.reflectance[k] * parallel);
+    shade.by_mirrored += shade.by_lit.col(k) * static_cast<double>(parallel);
+  }
+  shade.by_halfway = mirrored.slope * shade.by_mirrored;
+  return shade;
+}
+
+// How the cosines of the normal with the light and (half) with halfway change.
+struct CosineSlopes {
+  Vec3 normal_in_camera;
+  Vec3 by_turn, half_by_turn;                 // of the head, about the camera's axes
+  Vec3 half_by_light;                         // by the light's direction, in the camera's frame
+  Vec3 half_by_eye;                           // by the eye's place
+  std::array<Vec3, 2> by_edge, half_by_edge;  // by what moves the far end of an edge of the triangle
+};
+
+CosineSlopes cosine_slopes(const PosedPoint& at, const Mirrored& mirrored, const std::array<std::uint32_t, 3>& triangle,
+                           const std::vector<Vec3f>& posed, const LitView& view) {
+  CosineSlopes slopes;
+  slopes.normal_in_camera = view.rotation * at.normal;
+  const Vec3 halfway_in_camera = view.rotation * mirrored.halfway;
+  slopes.by_turn = slopes.normal_in_camera.cross(view.light_in_camera);
+  slopes.half_by_turn = slopes.normal_in_camera.cross(halfway_in_camera);
+  slopes.half_by_light =
+      (slopes.normal_in_camera - at.normal.dot(mirrored.halfway) * halfway_in_camera) / mirrored.half_length;
+  const Vec3 by_view = view.rotation.transpose() * slopes.half_by_light;
+  slopes.half_by_eye = (by_view - by_view.dot(at.to_eye) * at.to_eye) / (view.eye - at.point).norm();
+
+  const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
+  const Vec3 edge2 = vec(posed[triangle[2]]) - vec(posed[triangle[0]]);
+  const double g11 = edge1.dot(edge1), g12 = edge1.dot(edge2), g22 = edge2.dot(edge2);
+  const double det = g11 * g22 - g12 * g12;
+  std::array<Vec3, 2> dual = {Vec3::Zero(), Vec3::Zero()};  // basis in the triangle's plane
+  if (det > 1e-9 * g11 * g22) dual = {(g22 * edge1 - g12 * edge2) / det, (g11 * edge2 - g12 * edge1) / det};
+  for (std::size_t i = 0; i < 2; ++i) {
+    slopes.by_edge[i] = -view.light.dot(dual[i]) * at.normal;
+    slopes.half_by_edge[i] = -mirrored.halfway.dot(dual[i]) * at.normal;
+  }
+  return slopes;
+}
+
+// One channel of a residual at a point.
+struct PixelSlopes {
+  const PoseView& seen;  // where it is seen, and how that moves
+  double gx, gy;         // of the picture there, per pixel of the level
+};
+
+// Derivatives by the pose's parameters.
+void pose_columns(float* row, std::size_t channel, const PixelSlopes& pixel, const Shade& shade,
+                  const CosineSlopes& slopes, const LitView& view, double factor) {
+  const auto c = static_cast<Eigen::Index>(channel);
+  for (std::size_t k = 0; k < FacePose::size; ++k)
+    row[k] = static_cast<float>(pixel.gx * pixel.seen.by_pose[0][k] + pixel.gy * pixel.seen.by_pose[1][k]);
+  for (std::size_t k = 3; k < 5; ++k) row[k] *= static_cast<float>(factor);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    row[k] -=
+        static_cast<float>(shade.by_cosine[c] * slopes.by_turn[axis] + shade.by_halfway[c] * slopes.half_by_turn[axis]);
+  }
+  row[6] -= static_cast<float>(shade.by_halfway[c] * slopes.half_by_eye.dot(view.eye_by_focal));
+}
+
+// Derivatives by the light's parameters, in the order of moved(FaceLight).
+void light_columns(float* row, std::size_t channel, const PosedPoint& at, const Mirrored& mirrored, const Shade& shade,
+                   const CosineSlopes& slopes, const LitView& view) {
+  const auto c = static_cast<Eigen::Index>(channel);
+  const FaceLight& light = view.state.light;
+  const double cosine = at.normal.dot(view.light);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto ki = static_cast<Eigen::Index>(k);
+    row[k] = static_cast<float>(-shade.by_lit(c, ki) * at.reflectance[ki]);
+    row[3 + k] = static_cast<float>(-shade.by_lit(c, ki) *
+                                    (at.reflectance[ki] * std::max(0.0, at.share * cosine) + mirrored.value));
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+    row[6 + k] = static_cast<float>(-shade.by_cosine[c] * slopes.normal_in_camera.dot(view.light_turns[k]) -
+                                    shade.by_halfway[c] * slopes.half_by_light.dot(view.light_turns[k]));
+  row[8] = static_cast<float>(-light.gain[channel] * (shade.encoded[channel] - shade.grey));
+  row[9 + channel] =
+      static_cast<float>(-(light.contrast * shade.encoded[channel] + (1.0 - light.contrast) * shade.grey));
+  row[12 + channel] = -1;
+  for (std::size_t k = 0; k < mirrored.lobes.value.size(); ++k)
+    row[first_mirror + k] = static_cast<float>(-shade.by_mirrored[c] * mirrored.lobes.value[k]);
+}
+
+using CornerWeights = std::array<float, 9>;  // x y z, or R G B, of the triangle's three corners
+
+// Derivatives by the places of the corners.
+CornerWeights place_weights(std::size_t channel, const Vec3f& bary, const PixelSlopes& pixel, const Shade& shade,
+                            const CosineSlopes& slopes) {
+  const auto c = static_cast<Eigen::Index>(channel);
+  CornerWeights weights;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double moving = pixel.gx * pixel.seen.by_point[0][axis] + pixel.gy * pixel.seen.by_point[1][axis];
+    const double turn1 = shade.by_cosine[c] * slopes.by_edge[0][a] + shade.by_halfway[c] * slopes.half_by_edge[0][a],
+                 turn2 = shade.by_cosine[c] * slopes.by_edge[1][a] + shade.by_halfway[c] * slopes.half_by_edge[1][a];
+    weights[axis] = static_cast<float>(bary[0] * moving + turn1 + turn2);
+    weights[3 + axis] = static_cast<float>(bary[1] * moving - turn1);
+    weights[6 + axis] = static_cast<float>(bary[2] * moving - turn2);
+  }
+  return weights;
+}
+
+// Derivatives by the albedo of the corners.
+CornerWeights albedo_weights(std::size_t channel, const Vec3f& bary, const Shade& shade) {
+  CornerWeights weights;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      weights[3 * i + k] =
+          static_cast<float>(-shade.by_lit(static_cast<Eigen::Index>(channel), static_cast<Eigen::Index>(k)) *
+                             shade.strength[k] * bary[i]);
+  return weights;
+}
+
+// Some modes of a basis: of the width columns of its rows, count from first on.
+struct ModeRange {
+  const std::vector<float>& modes;
+  std::size_t width, first, count;
+};
+
+// Adds to the three rows of a point, columns floats apart, what the modes do to its corners.
+void add_modes(float* target, std::size_t columns, const ModeRange& range, const std::array<std::uint32_t, 3>& triangle,
+               const std::array<CornerWeights, 3>& weights) {
+  if (range.count == 0) return;
+  float* const targets[3] = {target, target + columns, target + 2 * columns};
+  for (std::size_t i = 0; i < 9; ++i)
+    add_mode(range.modes.data() + (3 * triangle[i / 3] + i % 3) * range.width + range.first, range.count,
+             {weights[0][i], weights[1][i], weights[2][i]}, targets);
+}
+
+// How many points are at the ends of the scale.
+struct Exposure {
+  std::size_t overexposed = 0, dark = 0;
+  double brightness = 0;  // summed
+
+  void add(const std::array<float, 9>& picture) {
     const float brightest = std::max({picture[0], picture[1], picture[2]});
     if (brightest > end_of_scale) ++overexposed;
     if (brightest < all_but_black) ++dark;
     brightness += static_cast<double>(brightest);
+  }
+};
 
-    // value_c = gain_c mix(srgb(L albedo))_c + offset_c; by_lit = its derivative by the lit albedo.
-    double share = 1;  // of the parallel light
-    if (!state.seen.empty()) {
-      share = 0;
-      for (std::size_t i = 0; i < 3; ++i) share += static_cast<double>(bary[i]) * state.seen[triangle[i]];
-    }
-    const double cosine = normal.dot(light);
-    Vec3 halfway = Vec3::Zero();
-    Lobes lobes;
-    double mirrored = 0, mirrored_slope = 0;  // of the parallel light; by the cosine of normal and halfway
-    const double half_length = std::max(1e-9, (light + to_eye).norm());
-    if (is_mirrored && skin_point.mirrors && cosine > 0) {
-      halfway = (light + to_eye) / half_length;
-      lobes = lobes_at(normal.dot(halfway));
-      for (std::size_t k = 0; k < lobes.value.size(); ++k) {
-        lobes.value[k] *= share;
-        mirrored += static_cast<double>(state.light.mirror[k]) * lobes.value[k];
-        mirrored_slope += static_cast<double>(state.light.mirror[k]) * share * lobes.slope[k];
-      }
-    }
-    std::array<double, 3> lit, e, slope, strength;
-    double grey = 0;
-    Rows3 by_lit;
-    for (std::size_t c = 0; c < 3; ++c) {
-      strength[c] = light_at(state.light, c, share * cosine);
-      lit[c] = strength[c] * reflectance[static_cast<Eigen::Index>(c)] +
-               mirrored * static_cast<double>(state.light.parallel[c]);
-      e[c] = srgb_of(lit[c]);
-      slope[c] = srgb_slope(lit[c], e[c]);
-      grey += luma[c] * e[c];
-    }
-    const std::array<double, 3> value = mixed(state.light, e);
-    for (Eigen::Index c = 0; c < 3; ++c)
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        const auto ci = static_cast<std::size_t>(c), ki = static_cast<std::size_t>(k);
-        by_lit(c, k) = state.light.gain[ci] *
-                       ((c == k ? state.light.contrast : 0.0f) + (1.0 - state.light.contrast) * luma[ki]) * slope[ki];
-      }
-    Vec3 by_cosine = Vec3::Zero();
-    if (cosine > 0)
-      for (Eigen::Index k = 0; k < 3; ++k)
-        by_cosine += by_lit.col(k) * (share * reflectance[k] * state.light.parallel[static_cast<std::size_t>(k)]);
+}  // namespace
 
-    Vec3 by_mirrored = Vec3::Zero();
-    for (Eigen::Index k = 0; k < 3; ++k)
-      by_mirrored += by_lit.col(k) * static_cast<double>(state.light.parallel[static_cast<std::size_t>(k)]);
-    const Vec3 by_halfway = mirrored_slope * by_mirrored;
-
-    // Edges of the triangle and the dual basis in its plane.
-    const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
-    const Vec3 edge2 = vec(posed[triangle[2]]) - vec(posed[triangle[0]]);
-    const double g11 = edge1.dot(edge1), g12 = edge1.dot(edge2), g22 = edge2.dot(edge2);
-    const double det = g11 * g22 - g12 * g12;
-    Vec3 dual1 = Vec3::Zero(), dual2 = Vec3::Zero();
-    if (det > 1e-9 * g11 * g22) {
-      dual1 = (g22 * edge1 - g12 * edge2) / det;
-      dual2 = (g11 * edge2 - g12 * edge1) / det;
-    }
-    const Vec3 turn1 = -light.dot(dual1) * normal, turn2 = -light.dot(dual2) * normal;
-    const Vec3 half_turn1 = -halfway.dot(dual1) * normal, half_turn2 = -halfway.dot(dual2) * normal;
+PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, const std::vector<Vec3f>& posed,
+                  const std::vector<Vec3f>& albedo, const PictureState& state, const PictureLevel& level,
+                  const PixelColumns& columns) {
+  const std::vector<Vec3f> normals = render::vertex_normals(posed, basis.triangles);
+  const LitView view(state, level);
+  const bool is_mirrored = columns.light || state.light.mirror != Vec2f{0, 0};
+  const bool is_shaded = columns.shading || state.shading != std::array<double, shading_parameters>{};
+  PixelRows rows;
+  rows.columns = columns.size();
+  rows.jacobian.reserve(3 * points.size() * rows.columns);
+  rows.residual.reserve(3 * points.size());
+  const std::size_t shapes = basis.shapes();
+  const std::size_t shape_bytes = rows.columns > FacePose::size ? 3 * shapes * sizeof(float) : 0;
+  Exposure exposure;
+  std::array<CornerWeights, 3> by_place, by_albedo;  // of a channel
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (n + fetched_ahead < points.size())
+      for (const std::uint32_t v : basis.triangles[points[n + fetched_ahead].triangle])
+        fetch(basis.shape_modes.data() + 3 * v * shapes, shape_bytes);
+    const auto& triangle = basis.triangles[points[n].triangle];
+    const PosedPoint at = posed_point(points[n], triangle, posed, normals, albedo, view);
+    if (at.normal.dot(at.to_eye) < least_facing) continue;
+    const PoseView seen = model::view(view.pose, array_of(at.point));
+    const std::array<float, 9> picture = sample_at(level, seen.x_px, seen.y_px);
+    exposure.add(picture);
+    const Mirrored mirrored = mirrored_at(at, view, is_mirrored && points[n].mirrors);
+    const Shade shade = shade_at(at, mirrored, view);
+    const CosineSlopes slopes = cosine_slopes(at, mirrored, triangle, posed, view);
+    std::array<double, shading_parameters> shading{};
+    if (is_shaded)
+      shading = shading_at({slopes.normal_in_camera.x(), slopes.normal_in_camera.y(), slopes.normal_in_camera.z()});
+    double brighter = 0;
+    for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
 
     const std::size_t first_row = rows.jacobian.size();
     rows.jacobian.resize(first_row + 3 * rows.columns, 0.0f);
     float* const out = rows.jacobian.data() + first_row;
-    const Vec3 normal_in_camera = rotation * normal;
-    std::array<double, shading_parameters> shading{};
-    if (is_shaded) shading = shading_at({normal_in_camera.x(), normal_in_camera.y(), normal_in_camera.z()});
-    double brighter = 0;
-    for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
-    const Vec3 halfway_in_camera = rotation * halfway;
-    const Vec3 half_swing = normal_in_camera.cross(halfway_in_camera);
-    // Of the cosine of normal and halfway, by the light's direction and by the eye's place.
-    const Vec3 by_light = (normal_in_camera - normal.dot(halfway) * halfway_in_camera) / half_length;
-    const Vec3 by_view = rotation.transpose() * by_light;
-    const Vec3 by_eye = (by_view - by_view.dot(to_eye) * to_eye) / (eye - point).norm();
-    const Vec3 swing = normal_in_camera.cross(light_in_camera);  // d cosine by a turn of the head
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto ci = static_cast<Eigen::Index>(c);
-      rows.residual.push_back(picture[c] - static_cast<float>(value[c] + brighter));
-      const double gx = picture[3 + c], gy = picture[6 + c];
+      rows.residual.push_back(picture[c] - static_cast<float>(shade.value[c] + brighter));
       float* const row = out + c * rows.columns;
-      for (std::size_t k = 0; k < FacePose::size; ++k)
-        row[columns.pose_first() + k] = static_cast<float>(gx * at.by_pose[0][k] + gy * at.by_pose[1][k]);
-      for (std::size_t k = 3; k < 5; ++k) row[columns.pose_first() + k] *= static_cast<float>(level.factor);
-      for (std::size_t k = 0; k < 3; ++k)
-        row[columns.pose_first() + k] -= static_cast<float>(by_cosine[ci] * swing[static_cast<Eigen::Index>(k)] +
-                                                            by_halfway[ci] * half_swing[static_cast<Eigen::Index>(k)]);
-      row[columns.pose_first() + 6] -= static_cast<float>(by_halfway[ci] * by_eye.dot(eye_by_focal));
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        const auto ai = static_cast<std::size_t>(axis);
-        const double moving = gx * at.by_point[0][ai] + gy * at.by_point[1][ai];
-        const double t1 = by_cosine[ci] * turn1[axis] + by_halfway[ci] * half_turn1[axis],
-                     t2 = by_cosine[ci] * turn2[axis] + by_halfway[ci] * half_turn2[axis];
-        shape_weights[c][ai] = static_cast<float>(bary[0] * moving + t1 + t2);
-        shape_weights[c][3 + ai] = static_cast<float>(bary[1] * moving - t1);
-        shape_weights[c][6 + ai] = static_cast<float>(bary[2] * moving - t2);
-        for (std::size_t i = 0; i < 3; ++i)
-          albedo_weights[c][3 * i + ai] = static_cast<float>(-by_lit(ci, axis) * strength[ai] * bary[i]);
-      }
-      if (columns.light) {
-        float* const l = row + columns.light_first();
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto ki = static_cast<Eigen::Index>(k);
-          l[k] = static_cast<float>(-by_lit(ci, ki) * reflectance[ki]);
-          l[3 + k] = static_cast<float>(-by_lit(ci, ki) * (reflectance[ki] * std::max(0.0, share * cosine) + mirrored));
-        }
-        for (std::size_t k = 0; k < 2; ++k)
-          l[6 + k] = static_cast<float>(-by_cosine[ci] * normal_in_camera.dot(light_turns[k]) -
-                                        by_halfway[ci] * by_light.dot(light_turns[k]));
-        l[8] = static_cast<float>(-state.light.gain[c] * (e[c] - grey));
-        l[9 + c] = static_cast<float>(-(state.light.contrast * e[c] + (1.0 - state.light.contrast) * grey));
-        l[12 + c] = -1;
-        for (std::size_t k = 0; k < lobes.value.size(); ++k)
-          l[first_mirror + k] = static_cast<float>(-by_mirrored[ci] * lobes.value[k]);
-      }
+      const PixelSlopes pixel{seen, picture[3 + c], picture[6 + c]};
+      pose_columns(row + columns.pose_first(), c, pixel, shade, slopes, view, level.factor);
+      by_place[c] = place_weights(c, points[n].weights, pixel, shade, slopes);
+      by_albedo[c] = albedo_weights(c, points[n].weights, shade);
+      if (columns.light) light_columns(row + columns.light_first(), c, at, mirrored, shade, slopes, view);
       if (columns.shading)
         for (std::size_t k = 0; k < shading_parameters; ++k)
           row[columns.shading_first() + k] = -static_cast<float>(shading[k]);
     }
-    const auto fill = [&](const std::vector<float>& from, std::size_t width, std::size_t first, std::size_t count,
-                          std::size_t target, const std::array<std::array<float, 9>, 3>& weights) {
-      if (count == 0) return;
-      float* const targets[3] = {out + target, out + rows.columns + target, out + 2 * rows.columns + target};
-      for (std::size_t i = 0; i < 9; ++i)
-        add_mode(from.data() + (3 * triangle[i / 3] + i % 3) * width + first, count,
-                 {weights[0][i], weights[1][i], weights[2][i]}, targets);
-    };
-    fill(basis.shape_modes, shapes, 0, columns.identities, 0, shape_weights);
-    fill(basis.shape_modes, shapes, basis.identities, columns.expressions, columns.expression_first(), shape_weights);
-    fill(basis.albedo_modes, basis.albedos, 0, columns.albedos, columns.identities, albedo_weights);
+    add_modes(out, rows.columns, {basis.shape_modes, shapes, 0, columns.identities}, triangle, by_place);
+    add_modes(out + columns.expression_first(), rows.columns,
+              {basis.shape_modes, shapes, basis.identities, columns.expressions}, triangle, by_place);
+    add_modes(out + columns.identities, rows.columns, {basis.albedo_modes, basis.albedos, 0, columns.albedos}, triangle,
+              by_albedo);
   }
   const double used = std::max<double>(1.0, static_cast<double>(rows.residual.size()) / 3.0);
-  rows.overexposed = static_cast<double>(overexposed) / used;
-  rows.dark = static_cast<double>(dark) / used;
-  rows.brightness = brightness / used;
+  rows.overexposed = static_cast<double>(exposure.overexposed) / used;
+  rows.dark = static_cast<double>(exposure.dark) / used;
+  rows.brightness = exposure.brightness / used;
   return rows;
 }
 

@@ -3,31 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "nodes/base/random.h"
 #include "nodes/model/face_pose.h"
+#include "nodes/model/picture_level.h"
 #include "nodes/model/skin_basis.h"
-#include "nodes/render/rasterize.h"
+#include "nodes/model/skin_points.h"
 #include "nodes/types/face_fit.h"
-#include "nodes/types/image.h"
 
 namespace face::model {
-
-// A picture at one size with its gradient, as numbers in [0, 1] over its exposure.
-struct PictureLevel {
-  int width = 0, height = 0;
-  double factor = 1;                          // of its size over the picture's
-  std::vector<std::array<float, 9>> samples;  // per pixel: R G B, then d/dx of them, then d/dy
-};
-
-// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are
-// divided by.
-PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
-
-// A level's samples between its pixels; what lies outside is as at the edge.
-std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px);
 
 // What no light of one direction explains, highlights above all, changes slowly with the direction of the normal:
 // the spherical harmonics up to the second order of the normal in the camera's frame, added to all channels (as Basri
@@ -74,30 +59,6 @@ struct PixelRows {
   double dark = 0;              // share of the points that are all but black
   double brightness = 0;        // mean of the points' largest channel, 0 to 1
 };
-
-// A point of the skin: it stays on its triangle while parameters change (Blanz and Vetter, Face Recognition Based on
-// Fitting a 3D Morphable Model, PAMI 2003, section 4.2, take centres of triangles).
-struct SkinPoint {
-  std::uint32_t triangle = 0;   // of the basis
-  Vec3f weights = {1, 0, 0};    // of its corners
-  std::optional<Vec3f> albedo;  // its own where it is known, else its corners'
-  bool mirrors = true;          // false: that colour holds what it mirrors
-};
-
-// A level as it would be filled by the skin.
-struct DrawnSkin {
-  std::vector<render::ScreenPoint> screen;  // local vertices
-  render::Raster raster;
-};
-DrawnSkin draw_skin(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
-                    const PictureLevel& level);
-
-// Random points of the skin that is seen, at middles of pixels, without repetition. visible: number of such pixels.
-std::vector<SkinPoint> choose_points(const SkinBasis& basis, const std::vector<Vec3f>& posed_mm, const FacePose& pose,
-                                     const PictureLevel& level, std::size_t points, Random& random,
-                                     std::size_t& visible);
-std::vector<SkinPoint> choose_points(const SkinBasis& basis, const DrawnSkin& drawn, std::size_t points, Random& random,
-                                     std::size_t& visible);
 
 // Residuals and derivatives at these points; those seen at a grazing angle are left out. The normal turns with the
 // triangle: for displacements d1, d2 of its edges' far ends, dn = -(d1 . n) e^1 - (d2 . n) e^2 with the dual basis e^1,
