@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 #include "nodes/evaluate/animations.h"
 #include "nodes/evaluate/draw_heat_map.h"
 #include "nodes/evaluate/regions.h"
@@ -13,8 +14,6 @@
 
 namespace face::evaluate {
 namespace {
-
-Eigen::Vector3d vector_of(const Vec3f& p) { return {p[0], p[1], p[2]}; }
 
 Eigen::Vector3d middle_of(const std::vector<std::uint32_t>& vertices, const std::vector<Vec3f>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -67,8 +66,8 @@ CorrespondenceResult correspondence(const Rig& rig, const MeshPoints& points, co
     std::vector<double> errors;
     for (const std::uint32_t v : region.vertices) errors.push_back(error_mm[v]);
     result.table.rows.push_back({region.name,
-                                 {mean_of(errors), quantile(errors, 0.5), quantile(errors, 0.95),
-                                  largest_of(errors), static_cast<double>(errors.size())}});
+                                 {mean_of(errors), quantile(errors, 0.5), quantile(errors, 0.95), largest_of(errors),
+                                  static_cast<double>(errors.size())}});
   }
   result.heat_map = draw_heat_map(rig, error_mm, options.full_scale_mm);
   return result;

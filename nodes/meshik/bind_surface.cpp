@@ -8,16 +8,13 @@
 #include <limits>
 
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 #include "nodes/meshik/connected_parts.h"
 
 namespace face::meshik {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector(const Vec3f& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
 
 // Shares of the corners a, b, c in the point of the triangle that is closest to p.
 std::array<double, 3> closest(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -61,7 +58,8 @@ Matrix bind_surface(const std::vector<Vec3f>& points_mm, const std::vector<std::
   for (std::uint32_t t = 0; t + 2 < coarse.size(); t += 3) {
     Facet f;
     f.first = t;
-    f.a = vector(points_mm[coarse[t]]), f.b = vector(points_mm[coarse[t + 1]]), f.c = vector(points_mm[coarse[t + 2]]);
+    f.a = vector_of(points_mm[coarse[t]]), f.b = vector_of(points_mm[coarse[t + 1]]),
+    f.c = vector_of(points_mm[coarse[t + 2]]);
     f.middle = (f.a + f.b + f.c) / 3;
     f.radius = std::max({(f.a - f.middle).norm(), (f.b - f.middle).norm(), (f.c - f.middle).norm()});
     of_part[part[coarse[t]]].push_back(f);
@@ -74,7 +72,7 @@ Matrix bind_surface(const std::vector<Vec3f>& points_mm, const std::vector<std::
       binding.at(v, 3) = 1;
       continue;
     }
-    const Vector3d p = vector(points_mm[v]);
+    const Vector3d p = vector_of(points_mm[v]);
     double nearest = std::numeric_limits<double>::infinity();
     for (const Facet& f : of_part[part[v]]) {
       if ((p - f.middle).norm() - f.radius > nearest) continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 #include "nodes/model/cylinder_grid.h"
 #include "nodes/model/motion_basis.h"
 #include "nodes/model/scan_maps.h"
@@ -29,10 +30,6 @@ constexpr double onto_surface_mm = 2;
 constexpr double start_mm = 1;  // how closely the first guess is the start
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Vector3d vector_of(const Vec3f& p) { return {p[0], p[1], p[2]}; }
-Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
-std::array<double, 3> array_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 void check_steps(const CylinderScan& scan, const char* name) {
   check_cylinder(scan, name);

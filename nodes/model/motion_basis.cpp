@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 
 namespace face::model {
 namespace {
@@ -27,8 +28,6 @@ double squared_distance(const Vec3f& p, const Vec3f& q, double x_of_q) {
                z = static_cast<double>(p[2]) - static_cast<double>(q[2]);
   return x * x + y * y + z * z;
 }
-
-Eigen::Vector3d vector_of(const Vec3f& p) { return {p[0], p[1], p[2]}; }
 
 // What the whole head's shift and turn, the last six coefficients, move a point by.
 Eigen::Vector3d of_whole_head(const Vec3f& p, const Eigen::VectorXd& c) {

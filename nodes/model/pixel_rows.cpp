@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/base/eigen_vector.h"
 #include "nodes/model/light_model.h"
 #include "nodes/phantom/cast_shadow.h"
 #include "nodes/render/camera.h"
@@ -47,11 +48,6 @@ void add_mode(const float* __restrict mode, std::size_t count, const Vec3f& weig
   }
 }
 
-Vec3 vec(const Vec3f& v) { return {v[0], v[1], v[2]}; }
-Vec3f array_of(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
 }  // namespace
 
 std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera) {
@@ -70,7 +66,7 @@ FaceLight moved(const FaceLight& light, const double* step) {
   for (std::size_t k = 0; k < light.mirror.size(); ++k)
     result.mirror[k] = std::max(0.0f, light.mirror[k] + static_cast<float>(step[first_mirror + k]));
   result.contrast = std::max(0.05f, light.contrast + static_cast<float>(step[8]));
-  const Vec3 d = vec(light.direction);
+  const Vec3 d = vector_of(light.direction);
   const auto [first, second] = tangents(d);
   const Vec3 turned = (d + step[6] * first + step[7] * second).normalized();
   for (int k = 0; k < 3; ++k) result.direction[static_cast<std::size_t>(k)] = static_cast<float>(turned[k]);
@@ -79,10 +75,9 @@ FaceLight moved(const FaceLight& light, const double* step) {
 
 std::vector<float> shadow_of(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state) {
   const std::vector<Vec3f> points = posed_skin(basis, identity, state.expression);
-  const Vec3 light = Eigen::Map<const Rows3>(state.pose.rotation.data()).transpose() * vec(state.light.direction);
-  return phantom::cast_shadow(
-      points, render::vertex_normals(points, basis.triangles), basis.triangles,
-      {static_cast<float>(light.x()), static_cast<float>(light.y()), static_cast<float>(light.z())}, shadow_edge_mm);
+  const Vec3 light = Eigen::Map<const Rows3>(state.pose.rotation.data()).transpose() * vector_of(state.light.direction);
+  return phantom::cast_shadow(points, render::vertex_normals(points, basis.triangles), basis.triangles, float_of(light),
+                              shadow_edge_mm);
 }
 
 PixelRows pixel_rows(const SkinBasis& basis, const std::vector<double>& identity, const std::vector<Vec3f>& albedo,
@@ -104,10 +99,10 @@ struct LitView {
       : state(picture),
         pose(scaled(picture.pose, level.factor)),
         rotation(Eigen::Map<const Rows3>(pose.rotation.data())),
-        light_in_camera(vec(picture.light.direction)),
+        light_in_camera(vector_of(picture.light.direction)),
         light(rotation.transpose() * light_in_camera),
         light_turns(tangents(light_in_camera)),
-        eye(vec(camera_of(pose).position_mm)) {
+        eye(vector_of(camera_of(pose).position_mm)) {
     const Vec3 forward = rotation.row(2);
     eye_by_focal = -forward.dot(Vec3(pose.centre_mm[0], pose.centre_mm[1], pose.centre_mm[2]) - eye) * forward;
   }
@@ -133,11 +128,11 @@ PosedPoint posed_point(const SkinPoint& chosen, const std::array<std::uint32_t, 
   PosedPoint at;
   const Vec3f& bary = chosen.weights;
   for (std::size_t i = 0; i < 3; ++i) {
-    at.point += bary[i] * vec(posed[triangle[i]]);
-    at.normal += bary[i] * vec(normals[triangle[i]]);
-    at.reflectance += bary[i] * vec(albedo[triangle[i]]);
+    at.point += bary[i] * vector_of(posed[triangle[i]]);
+    at.normal += bary[i] * vector_of(normals[triangle[i]]);
+    at.reflectance += bary[i] * vector_of(albedo[triangle[i]]);
   }
-  if (chosen.albedo) at.reflectance = vec(*chosen.albedo);
+  if (chosen.albedo) at.reflectance = vector_of(*chosen.albedo);
   at.reflectance = at.reflectance.cwiseMax(least_reflectance);
   at.normal.normalize();
   at.to_eye = (view.eye - at.point).normalized();
@@ -231,8 +226,8 @@ CosineSlopes cosine_slopes(const PosedPoint& at, const Mirrored& mirrored, const
   const Vec3 by_view = view.rotation.transpose() * slopes.half_by_light;
   slopes.half_by_eye = (by_view - by_view.dot(at.to_eye) * at.to_eye) / (view.eye - at.point).norm();
 
-  const Vec3 edge1 = vec(posed[triangle[1]]) - vec(posed[triangle[0]]);
-  const Vec3 edge2 = vec(posed[triangle[2]]) - vec(posed[triangle[0]]);
+  const Vec3 edge1 = vector_of(posed[triangle[1]]) - vector_of(posed[triangle[0]]);
+  const Vec3 edge2 = vector_of(posed[triangle[2]]) - vector_of(posed[triangle[0]]);
   const double g11 = edge1.dot(edge1), g12 = edge1.dot(edge2), g22 = edge2.dot(edge2);
   const double det = g11 * g22 - g12 * g12;
   std::array<Vec3, 2> dual = {Vec3::Zero(), Vec3::Zero()};  // basis in the triangle's plane
@@ -371,7 +366,7 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     const auto& triangle = basis.triangles[points[n].triangle];
     const PosedPoint at = posed_point(points[n], triangle, posed, normals, albedo, view);
     if (at.normal.dot(at.to_eye) < least_facing) continue;
-    const PoseView seen = model::view(view.pose, array_of(at.point));
+    const PoseView seen = model::view(view.pose, float_of(at.point));
     const std::array<float, 9> picture = sample_at(level, seen.x_px, seen.y_px);
     exposure.add(picture);
     const Mirrored mirrored = mirrored_at(at, view, is_mirrored && points[n].mirrors);

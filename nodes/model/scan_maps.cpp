@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "nodes/base/eigen_vector.h"
 #include "nodes/flow/cylinder_curvature.h"
 #include "nodes/model/cylinder_grid.h"
 
@@ -16,8 +17,6 @@ constexpr double radius_blur_mm = 1.2;  // noise of 0.1 mm turns a normal betwee
 constexpr std::array<double, 2> colour_blur_mm = {5, 1.5};  // coarse, fine
 constexpr double head_radius_mm = 90;    // where columns are as far apart as the smoothing takes them to be
 constexpr float least_measured = 0.25f;  // share of the Gaussian's weight
-
-Eigen::Vector3d vector_of(const Vec3f& p) { return {p[0], p[1], p[2]}; }
 
 // Smoothed over the pixels that count (normalised convolution); 0 where those are too few.
 cv::Mat smoothed(const cv::Mat& map, const cv::Mat& counts, double columns_px, double rows_px) {
@@ -38,9 +37,6 @@ double between(const cv::Mat& map, double x_px, double y_px) {
   const auto at = [&](int dx, int dy) { return static_cast<double>(map.at<float>(y + dy, x + dx)); };
   return (at(0, 0) * (1 - fx) + at(1, 0) * fx) * (1 - fy) + (at(0, 1) * (1 - fx) + at(1, 1) * fx) * fy;
 }
-
-Eigen::Vector3d vector_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
-std::array<double, 3> array_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 

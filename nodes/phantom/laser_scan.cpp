@@ -9,6 +9,7 @@
 #include "nodes/base/check.h"
 #include "nodes/base/pose.h"
 #include "nodes/phantom/dot_painter.h"
+#include "nodes/phantom/face_places.h"
 #include "nodes/phantom/head_view.h"
 #include "nodes/phantom/sensor_noise.h"
 #include "nodes/phantom/srgb_curve.h"
@@ -18,7 +19,6 @@
 namespace face::phantom {
 namespace {
 
-Vector3 vector_of(const Vec3f& v) { return {v[0], v[1], v[2]}; }
 bool is_hair(const Part& part) { return part.name.find("hair") != std::string::npos; }
 
 // The triangles of a head in the picture (phi, h): three corners of their own each, those across the seam twice.
@@ -196,7 +196,7 @@ LaserScanResult laser_scan(const Rig& rig, const Weights& weights, const Surface
       const Vector3 ray = {std::sin(phi), 0, std::cos(phi)};
       const Hit hit =
           meet({options.axis_x_mm, options.top_mm - row * options.step_mm, options.axis_z_mm}, ray,
-               vector_of(points_mm[triangle[0]]), vector_of(points_mm[triangle[1]]), vector_of(points_mm[triangle[2]]));
+               to_vector(points_mm[triangle[0]]), to_vector(points_mm[triangle[1]]), to_vector(points_mm[triangle[2]]));
       // Edges are straight in the raster and curved in truth: a ray just beside a triangle still meets its plane.
       constexpr float beside = -0.25f;
       if (!(hit.radius_mm > 0) || *std::min_element(hit.weights.begin(), hit.weights.end()) < beside) continue;
@@ -218,7 +218,7 @@ LaserScanResult laser_scan(const Rig& rig, const Weights& weights, const Surface
         const auto cover = static_cast<float>(smooth_step(-0.5, 0.5, above));
         for (std::size_t c = 0; c < 3; ++c) colour[c] += cover * (cap_colour[c] - colour[c]);
       }
-      const double cosine = std::abs(dot(unit(vector_of(normal)), ray));
+      const double cosine = std::abs(dot(unit(to_vector(normal)), ray));
       const double light = 1 - options.shading + options.shading * cosine;
       std::uint64_t random = grain.bits(pixel);
       for (std::size_t c = 0; c < 3; ++c, random >>= 12) {

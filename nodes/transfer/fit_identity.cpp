@@ -8,6 +8,7 @@
 
 #include "nodes/align/orient.h"
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/model/name_landmark.h"
 #include "nodes/render/triangulate.h"
@@ -21,10 +22,6 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-Vector3d vec(const Vec3f& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
 
 struct Mark {
   std::uint32_t vertex;
@@ -50,7 +47,8 @@ std::vector<Mark> marks_of(const MorphableModel& model, const CylinderScan& scan
         if (r > 0 && distance < best) best = distance, radius = r;
       }
     if (radius > 0)
-      out.push_back({named.vertex, vec(cylinder_point(scan.axis, {.h_mm = h, .phi_rad = phi, .radius_mm = radius}))});
+      out.push_back(
+          {named.vertex, vector_of(cylinder_point(scan.axis, {.h_mm = h, .phi_rad = phi, .radius_mm = radius}))});
   }
   return out;
 }
@@ -64,7 +62,7 @@ bool nose_of(const CylinderScan& scan, Vector3d& nose) {
       const auto r = static_cast<double>(scan.radius_mm[static_cast<std::size_t>(y * scan.picture.width + x)]);
       if (std::fabs(phi) > 1.05 || !(r > best)) continue;
       best = r;
-      nose = vec(cylinder_point(scan.axis, {.h_mm = h, .phi_rad = phi, .radius_mm = r}));
+      nose = vector_of(cylinder_point(scan.axis, {.h_mm = h, .phi_rad = phi, .radius_mm = r}));
     }
   return best > 0;
 }
@@ -109,7 +107,7 @@ class Fit {
   std::vector<Vec3f> placed() const {
     std::vector<Vec3f> points = shape();
     for (Vec3f& p : points) {
-      const Vector3d q = turn * vec(p) + shift;
+      const Vector3d q = turn * vector_of(p) + shift;
       for (std::size_t a = 0; a < 3; ++a) p[a] = static_cast<float>(q[static_cast<Eigen::Index>(a)]);
     }
     return points;
@@ -124,14 +122,14 @@ class Fit {
     MatrixXd a = MatrixXd::Zero(unknowns, unknowns);
     VectorXd b = VectorXd::Zero(unknowns), row(unknowns);
     Vector3d middle = Vector3d::Zero();
-    for (const std::uint32_t v : skin_) middle += vec(points[v]);
+    for (const std::uint32_t v : skin_) middle += vector_of(points[v]);
     middle /= static_cast<double>(skin_.size());
     const auto add = [&](std::uint32_t v, const Vector3d& n, double residual, double weight) {
-      const Vector3d arm = vec(points[v]) - middle, in_model = turn.transpose() * n;
+      const Vector3d arm = vector_of(points[v]) - middle, in_model = turn.transpose() * n;
       row.head<3>() = arm.cross(n);
       row.segment<3>(3) = n;
       for (Eigen::Index k = 0; k < components; ++k)
-        row[6 + k] = in_model.dot(vec(model_.identity.modes[static_cast<std::size_t>(k) * points.size() + v]));
+        row[6 + k] = in_model.dot(vector_of(model_.identity.modes[static_cast<std::size_t>(k) * points.size() + v]));
       a.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
       b -= weight * residual * row;
     };
@@ -139,14 +137,14 @@ class Fit {
     for (const std::uint32_t v : skin_) {
       const CylinderPlace place = cylinder_place(scan_.axis, points[v]);
       const Vec3f foot = cylinder_point(scan_.axis, {.h_mm = place.h_mm, .phi_rad = place.phi_rad, .radius_mm = 0});
-      const Vector3d outwards = (vec(points[v]) - vec(foot)).normalized();
-      if (!(vec(normals[v]).dot(outwards) > 0.3)) continue;
+      const Vector3d outwards = (vector_of(points[v]) - vector_of(foot)).normalized();
+      if (!(vector_of(normals[v]).dot(outwards) > 0.3)) continue;
       const auto surface = surface_at(scan_, place.h_mm, place.phi_rad);
       if (!surface) continue;
       ++facing;
-      const Vector3d n = vec(surface->normal);
-      if (!(vec(normals[v]).dot(n) > 0.5)) continue;
-      const double residual = n.dot(vec(points[v]) - vec(surface->point_mm));
+      const Vector3d n = vector_of(surface->normal);
+      if (!(vector_of(normals[v]).dot(n) > 0.5)) continue;
+      const double residual = n.dot(vector_of(points[v]) - vector_of(surface->point_mm));
       const double ratio = residual / scale_mm, weight = 1 / ((1 + ratio * ratio) * (1 + ratio * ratio));
       met += weight >= 0.5 ? 1 : 0;
       squares += weight * residual * residual;
@@ -159,7 +157,7 @@ class Fit {
     const double all = std::max(weights, 1.0);
     for (const Mark& mark : marks_)
       for (int axis = 0; axis < 3; ++axis)
-        add(mark.vertex, Vector3d::Unit(axis), (vec(points[mark.vertex]) - mark.place)[axis], mark_weight * all);
+        add(mark.vertex, Vector3d::Unit(axis), (vector_of(points[mark.vertex]) - mark.place)[axis], mark_weight * all);
     for (Eigen::Index k = 0; k < components; ++k) {
       a(6 + k, 6 + k) += stiffness_mm2 * all;
       b[6 + k] -= stiffness_mm2 * all * coefficients_[k];
@@ -218,7 +216,7 @@ FitIdentityResult fit_identity(const MorphableModel& model, const CylinderScan& 
   Vector3d nose = Vector3d::Zero();
   if (model.landmarks68.size() == 68 && nose_of(scan, nose)) {
     fits.emplace_back(model, scan, std::vector<Mark>{});
-    fits.back().shift = nose - vec(model.mean.points_mm.at(model.landmarks68[30]));
+    fits.back().shift = nose - vector_of(model.mean.points_mm.at(model.landmarks68[30]));
   }
   FitIdentityResult result;
   result.coefficients = {1, model.identity.size(), std::vector<double>(model.identity.size(), 0.0)};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nodes/base/check.h"
+#include "nodes/base/eigen_vector.h"
 #include "nodes/render/triangulate.h"
 #include "nodes/types/arkit.h"
 
@@ -35,8 +36,6 @@ constexpr double least_of_lower_lip = 0.4;  // of the jaw's largest motion: lowe
 constexpr std::size_t first_of_mouth = 48;
 bool of_upper_lip(std::size_t number) { return (number >= 49 && number <= 53) || (number >= 61 && number <= 63); }
 bool of_lower_lip(std::size_t number) { return (number >= 55 && number <= 59) || number >= 65; }
-
-Vector3d vector_of(const Vec3f& p) { return {p[0], p[1], p[2]}; }
 
 const Shape& shape_of(const Rig& rig, const char* name) {
   const Shape& shape = rig.shapes.at(arkit_index(name));
