@@ -60,24 +60,20 @@ Spectrum largest_of(const Eigen::MatrixXd& gram, Eigen::Index wanted) {
   return all_of(gram);
 }
 
-}  // namespace
+void check_weights(const Matrix& weights, std::size_t vertices) {
+  check(weights.values.size() == vertices, "weights has ", weights.values.size(), " values, shapes have ", vertices,
+        " points");
+  for (const double w : weights.values) check(w >= 0, "weights has ", w, ", expected none below 0");
+}
 
-ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights, const RegionPcaOptions& options) {
-  const std::size_t count = shapes.size();
-  check(count >= 2, "shapes has ", count, " examples, expected at least 2");
-  const std::size_t vertices = shapes.at(0)->points_mm.size(), size = 3 * vertices;
-  if (weights) {
-    check(weights->values.size() == vertices, "weights has ", weights->values.size(), " values, shapes have ", vertices,
-          " points");
-    for (const double w : weights->values) check(w >= 0, "weights has ", w, ", expected none below 0");
-  }
-  const auto m = static_cast<Eigen::Index>(count), n = static_cast<Eigen::Index>(size);
-  std::vector<float> numbers(count * size);  // as they come: what is made of them is made in double
-  for (std::size_t j = 0; j < count; ++j) {
+// One shape to a row of 3V numbers, as they come: what is made of them is made in double.
+FloatRows rows_of(const engine::Seq<MeshPoints>& shapes, std::size_t vertices) {
+  FloatRows rows(static_cast<Eigen::Index>(shapes.size()), static_cast<Eigen::Index>(3 * vertices));
+  for (std::size_t j = 0; j < shapes.size(); ++j) {
     const auto shape = shapes.at(j);
     check(shape->points_mm.size() == vertices, "shape ", shapes.id(j), " has ", shape->points_mm.size(), " points, ",
           shapes.id(0), " has ", vertices);
-    float* row = numbers.data() + j * size;
+    float* row = rows.data() + j * 3 * vertices;
     bool finite = true;
     for (std::size_t v = 0; v < vertices; ++v)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -85,64 +81,100 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
         finite &= std::isfinite(row[3 * v + k]);
       }
     if (finite) continue;
-    for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < 3 * vertices; ++i)
       check(std::isfinite(row[i]), "shape ", shapes.id(j), " has a point ", i / 3, " that is not finite");
   }
-  // Runs of columns: each sums its own rows in order.
-  constexpr std::size_t run = 512;
-  const auto runs = [&](const auto& use) {
-    tbb::parallel_for(std::size_t{0}, (size + run - 1) / run, [&](std::size_t r) {
-      use(static_cast<Eigen::Index>(r * run), static_cast<Eigen::Index>(std::min(size, (r + 1) * run) - r * run));
-    });
-  };
-  const Eigen::Map<const FloatRows> x(numbers.data(), m, n);
-  Eigen::RowVectorXd mean(n);
-  runs([&](Eigen::Index start, Eigen::Index length) {
+  return rows;
+}
+
+// Runs of columns side by side: use(first column, number).
+template <class Use>
+void for_columns(Eigen::Index size, const Use& use) {
+  constexpr Eigen::Index run = 512;
+  tbb::parallel_for(Eigen::Index{0}, (size + run - 1) / run,
+                    [&](Eigen::Index r) { use(r * run, std::min(size, (r + 1) * run) - r * run); });
+}
+
+Eigen::RowVectorXd mean_of(const FloatRows& x) {
+  Eigen::RowVectorXd mean(x.cols());
+  for_columns(x.cols(), [&](Eigen::Index start, Eigen::Index length) {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(length);
-    for (Eigen::Index j = 0; j < m; ++j) sum += x.row(j).segment(start, length).cast<double>();
-    mean.segment(start, length) = sum / static_cast<double>(m);
+    for (Eigen::Index j = 0; j < x.rows(); ++j) sum += x.row(j).segment(start, length).cast<double>();
+    mean.segment(start, length) = sum / static_cast<double>(x.rows());
   });
-  // The Gram matrix costs m^2 times the number of the region's columns.
-  std::vector<std::size_t> columns;
+  return mean;
+}
+
+// X D X' of the centred shapes, where D has the weight of every number. It costs m^2 times the numbers of the region,
+// so those that weigh nothing are left out.
+Eigen::MatrixXd weighted_gram(const FloatRows& x, const Eigen::RowVectorXd& mean, const Matrix* weights) {
+  std::vector<Eigen::Index> columns;
   std::vector<double> roots;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const double weight = weights ? weights->values[v] : 1;
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    const double weight = weights ? weights->values[static_cast<std::size_t>(i / 3)] : 1;
     if (!(weight > 0)) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      columns.push_back(3 * v + k);
-      roots.push_back(std::sqrt(weight));
-    }
+    columns.push_back(i);
+    roots.push_back(std::sqrt(weight));
   }
-  const std::vector<double> lower =
-      gram_of(count, columns.size(), [&](std::size_t j, std::size_t first, std::span<double> out) {
-        const float* row = numbers.data() + j * size;
-        for (std::size_t c = 0; c < out.size(); ++c) {
-          const std::size_t i = columns[first + c];
-          out[c] = roots[first + c] * (static_cast<double>(row[i]) - mean(static_cast<Eigen::Index>(i)));
-        }
-      });
-  const Eigen::MatrixXd gram = Eigen::Map<const RowMatrix>(lower.data(), m, m).selfadjointView<Eigen::Lower>();
+  const std::vector<double> lower = gram_of(static_cast<std::size_t>(x.rows()), columns.size(),
+                                            [&](std::size_t j, std::size_t first, std::span<double> out) {
+                                              const float* row = x.data() + static_cast<Eigen::Index>(j) * x.cols();
+                                              for (std::size_t c = 0; c < out.size(); ++c) {
+                                                const Eigen::Index i = columns[first + c];
+                                                out[c] = roots[first + c] * (static_cast<double>(row[i]) - mean(i));
+                                              }
+                                            });
+  return Eigen::Map<const RowMatrix>(lower.data(), x.rows(), x.rows()).selfadjointView<Eigen::Lower>();
+}
+
+// The roots of the eigenvalues that count, falling.
+std::vector<double> singular_values(const Spectrum& spectrum, double least_sigma) {
+  const double largest = std::sqrt(std::max(spectrum.values(0), 0.0));
+  std::vector<double> found;
+  for (const double value : spectrum.values) {
+    const double root = std::sqrt(std::max(value, 0.0));
+    if (!(root > least_sigma * largest) || !(root > 0)) break;
+    found.push_back(root);
+  }
+  return found;
+}
+
+// Turns every component so that its largest projection is positive.
+void fix_signs(Eigen::Map<RowMatrix>& modes, Eigen::Map<RowMatrix>& projections) {
+  for (Eigen::Index i = 0; i < projections.rows(); ++i) {
+    Eigen::Index at = 0;
+    projections.row(i).cwiseAbs().maxCoeff(&at);
+    if (projections(i, at) >= 0) continue;
+    projections.row(i) *= -1;
+    modes.row(i) *= -1;
+  }
+}
+
+}  // namespace
+
+ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weights, const RegionPcaOptions& options) {
+  check(shapes.size() >= 2, "shapes has ", shapes.size(), " examples, expected at least 2");
+  const std::size_t vertices = shapes.at(0)->points_mm.size();
+  if (weights) check_weights(*weights, vertices);
+  const FloatRows x = rows_of(shapes, vertices);
+  const Eigen::Index m = x.rows(), n = x.cols();
+  const Eigen::RowVectorXd mean = mean_of(x);
   const auto wanted = std::min<Eigen::Index>(options.components, m);
-  const Spectrum spectrum = largest_of(gram, wanted);
-  const Eigen::VectorXd& values = spectrum.values;
-  const double largest = std::sqrt(std::max(values(0), 0.0));
-  std::vector<double> w;
-  for (Eigen::Index i = 0; i < wanted; ++i) {
-    const double root_value = std::sqrt(std::max(values(i), 0.0));
-    if (!(root_value > options.least_sigma * largest) || !(root_value > 0)) break;
-    w.push_back(root_value);
-  }
+  Spectrum spectrum = largest_of(weighted_gram(x, mean, weights), wanted);
+  spectrum.values.conservativeResize(wanted);
+  const std::vector<double> w = singular_values(spectrum, options.least_sigma);
   const auto k = static_cast<Eigen::Index>(w.size());
   ShapeModel model;
   model.vertices = vertices;
   model.mean_mm.assign(mean.data(), mean.data() + n);
   model.modes.resize(static_cast<std::size_t>(k * n));
   model.projections.assign(static_cast<std::size_t>(k * n), 0.0);
+  for (const double value : w) model.sigmas_mm.push_back(value / std::sqrt(static_cast<double>(m)));
   Eigen::MatrixXd right(m, k);  // v~_i / w~_i
   for (Eigen::Index i = 0; i < k; ++i) right.col(i) = spectrum.vectors.col(i) / w[static_cast<std::size_t>(i)];
   Eigen::Map<RowMatrix> modes(model.modes.data(), k, n), projections(model.projections.data(), k, n);
   // u~_i = D^(1/2) u_i, and a_i = u~_i . D^(1/2) x: the projection of a full face is D u_i.
-  runs([&](Eigen::Index start, Eigen::Index length) {
+  for_columns(n, [&](Eigen::Index start, Eigen::Index length) {
     const RowMatrix centred = x.middleCols(start, length).cast<double>().rowwise() - mean.segment(start, length);
     modes.middleCols(start, length).noalias() = right.transpose() * centred;
     for (Eigen::Index c = start; c < start + length; ++c) {
@@ -150,15 +182,7 @@ ShapeModel region_pca(const engine::Seq<MeshPoints>& shapes, const Matrix* weigh
       if (d > 0) projections.col(c) = d * modes.col(c);
     }
   });
-  for (Eigen::Index i = 0; i < k; ++i) {
-    Eigen::Index at = 0;
-    projections.row(i).cwiseAbs().maxCoeff(&at);
-    if (projections(i, at) < 0) {
-      projections.row(i) *= -1;
-      modes.row(i) *= -1;
-    }
-    model.sigmas_mm.push_back(w[static_cast<std::size_t>(i)] / std::sqrt(static_cast<double>(m)));
-  }
+  fix_signs(modes, projections);
   return model;
 }
 
