@@ -157,9 +157,9 @@ double likeness(const LikenessFace& face, const PictureLevel& level) {
   const Plain plain = draw(face, level);
   if (cv::countNonZero(plain.region) < least_pixels) return 0;
   cv::Mat picture(plain.value.size(), CV_32F), weights;
-  for (std::size_t i = 0; i < level.samples.size(); ++i)
+  for (std::size_t i = 0; i < level.colours.size(); ++i)
     reinterpret_cast<float*>(picture.data)[i] = static_cast<float>(
-        luma[0] * level.samples[i][0] + luma[1] * level.samples[i][1] + luma[2] * level.samples[i][2]);
+        luma[0] * level.colours[i][0] + luma[1] * level.colours[i][1] + luma[2] * level.colours[i][2]);
   plain.inside.convertTo(weights, CV_32F, 1.0 / 255.0);
   const double eyes_px = face.eyes_px * level.factor;
   const cv::Mat seen = band(picture, weights, eyes_px), expected = band(plain.value, weights, eyes_px);

@@ -15,46 +15,59 @@ constexpr double blur_px = 0.7;
 
 }  // namespace
 
-PictureLevel make_level(const Image& picture, double factor, double exposure) {
+FloatPicture float_picture(const Image& picture, double exposure) {
   const Image rgb = render::rgb_image(picture);
-  cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data())), small;
+  FloatPicture result{rgb.width, rgb.height, {}};
+  result.colours.resize(static_cast<std::size_t>(rgb.width) * static_cast<std::size_t>(rgb.height));
+  const cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data()));
+  cv::Mat colours(rgb.height, rgb.width, CV_32FC3, result.colours.data());
+  source.convertTo(colours, CV_32FC3, 1.0 / (255.0 * exposure));
+  return result;
+}
+
+PictureLevel make_level(const FloatPicture& picture, double factor) {
   PictureLevel level;
-  level.width = std::max(8, static_cast<int>(std::lround(rgb.width * factor)));
-  level.height = std::max(8, static_cast<int>(std::lround(rgb.height * factor)));
-  level.factor = static_cast<double>(level.width) / rgb.width;
-  source.convertTo(small, CV_32FC3, 1.0 / (255.0 * exposure));
-  cv::resize(small, small, {level.width, level.height}, 0, 0, cv::INTER_AREA);
-  cv::GaussianBlur(small, small, {0, 0}, blur_px);
-  level.samples.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
-  const auto at = [&](int x, int y) {
-    return small.at<cv::Vec3f>(std::clamp(y, 0, level.height - 1), std::clamp(x, 0, level.width - 1));
-  };
-  for (int y = 0; y < level.height; ++y)
-    for (int x = 0; x < level.width; ++x) {
-      auto& s = level.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
-                              static_cast<std::size_t>(x)];
-      const cv::Vec3f here = at(x, y), right = at(x + 1, y), left = at(x - 1, y), down = at(x, y + 1),
-                      up = at(x, y - 1);
-      for (int c = 0; c < 3; ++c) {
-        s[static_cast<std::size_t>(c)] = here[c];
-        s[static_cast<std::size_t>(3 + c)] = 0.5f * (right[c] - left[c]);
-        s[static_cast<std::size_t>(6 + c)] = 0.5f * (down[c] - up[c]);
-      }
-    }
+  level.width = std::max(8, static_cast<int>(std::lround(picture.width * factor)));
+  level.height = std::max(8, static_cast<int>(std::lround(picture.height * factor)));
+  level.factor = static_cast<double>(level.width) / picture.width;
+  level.colours.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+  const cv::Mat source(picture.height, picture.width, CV_32FC3, const_cast<Vec3f*>(picture.colours.data()));
+  cv::Mat small = source, colours(level.height, level.width, CV_32FC3, level.colours.data());
+  if (small.size() != colours.size()) cv::resize(source, small, colours.size(), 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(small, colours, {0, 0}, blur_px);
   return level;
+}
+
+PictureLevel make_level(const Image& picture, double factor, double exposure) {
+  return make_level(float_picture(picture, exposure), factor);
 }
 
 std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px) {
   const double x = std::clamp(x_px, 0.0, level.width - 1.001), y = std::clamp(y_px, 0.0, level.height - 1.001);
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-  const std::array<float, 9>* row = level.samples.data() +
-                                    static_cast<std::size_t>(y0) * static_cast<std::size_t>(level.width) +
-                                    static_cast<std::size_t>(x0);
-  const std::array<float, 9>* below = row + level.width;
+  // What is read: 4 x 4 pixels but for their corners.
+  std::array<std::array<const Vec3f*, 4>, 4> around;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      const auto px = static_cast<std::size_t>(std::clamp(x0 + column - 1, 0, level.width - 1)),
+                 py = static_cast<std::size_t>(std::clamp(y0 + row - 1, 0, level.height - 1));
+      around[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+          level.colours.data() + py * static_cast<std::size_t>(level.width) + px;
+    }
+  const auto between = [&](float a, float b, float c, float d) {
+    return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d);
+  };
+  const auto& [above, here, below, last] = around;
   std::array<float, 9> result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result[i] = (1 - fy) * ((1 - fx) * row[0][i] + fx * row[1][i]) + fy * ((1 - fx) * below[0][i] + fx * below[1][i]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto slope = [c](const Vec3f* from, const Vec3f* to) { return 0.5f * ((*to)[c] - (*from)[c]); };
+    result[c] = between((*here[1])[c], (*here[2])[c], (*below[1])[c], (*below[2])[c]);
+    result[3 + c] =
+        between(slope(here[0], here[2]), slope(here[1], here[3]), slope(below[0], below[2]), slope(below[1], below[3]));
+    result[6 + c] =
+        between(slope(above[1], below[1]), slope(above[2], below[2]), slope(here[1], last[1]), slope(here[2], last[2]));
+  }
   return result;
 }
 

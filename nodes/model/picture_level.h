@@ -4,21 +4,29 @@
 #include <vector>
 
 #include "nodes/types/image.h"
+#include "nodes/types/vec.h"
 
 namespace face::model {
 
-// A picture at one size with its gradient, as numbers in [0, 1] over its exposure.
+// A picture at one size, as numbers in [0, 1] over its exposure.
 struct PictureLevel {
   int width = 0, height = 0;
-  double factor = 1;                          // of its size over the picture's
-  std::vector<std::array<float, 9>> samples;  // per pixel: R G B, then d/dx of them, then d/dy
+  double factor = 1;           // of its size over the picture's
+  std::vector<Vec3f> colours;  // per pixel: R G B
 };
 
-// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two. exposure: what numbers are
-// divided by.
+// A picture as numbers in [0, 1] over its exposure, of which levels are made.
+struct FloatPicture {
+  int width = 0, height = 0;
+  std::vector<Vec3f> colours;  // per pixel: R G B
+};
+FloatPicture float_picture(const Image& picture, double exposure = 1);
+
+// factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two.
+PictureLevel make_level(const FloatPicture& picture, double factor);
 PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
 
-// A level's samples between its pixels; what lies outside is as at the edge.
+// R G B between the pixels, then d/dx of them, then d/dy by central differences; what lies outside is as at the edge.
 std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px);
 
 }  // namespace face::model

@@ -20,7 +20,7 @@ constexpr double least_albedo = 1e-4;
 }  // namespace
 
 StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
-                     const Image& picture, double factor) {
+                     const FloatPicture& picture, double factor) {
   StartView result;
   result.state = state;
   result.points_mm = posed_skin(basis, identity, state.expression);

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "nodes/model/pixel_rows.h"
-#include "nodes/types/image.h"
 
 namespace face::model {
 
@@ -17,7 +16,7 @@ struct StartView {
 };
 
 StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
-                     const Image& picture, double factor);
+                     const FloatPicture& picture, double factor);
 
 // Gives points the reflectance that the picture shows there, the light undone; those that it does not show, or from the
 // side, or in the dark, keep their colours, which hold what they mirror. basis: of the points; it may have fewer

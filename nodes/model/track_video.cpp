@@ -204,12 +204,13 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   Random random(static_cast<std::uint64_t>(options.seed));
   const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
   std::array<double, FacePose::size> moved_so_far{};
+  const FloatPicture now = float_picture(frame), then = picture ? float_picture(*picture) : FloatPicture{};
   Sizes sizes;
   for (const Stage& stage : stages) {
     const double factor = std::min(1.0, stage.eyes_px / eyes_px);
     const bool is_last = &stage == stages + std::size(stages) - 1 || stage.eyes_px >= eyes_px;
-    sizes.frame = make_level(frame, factor);
-    if (picture != nullptr) sizes.start = start_view(tracked.whole, as_is, first, *picture, factor);
+    sizes.frame = make_level(now, factor);
+    if (picture != nullptr) sizes.start = start_view(tracked.whole, as_is, first, then, factor);
     const std::int64_t steps = std::llround(stage.steps * static_cast<double>(options.steps));
     for (std::int64_t i = 0; i < steps; ++i) step(tracked, sizes, eyes_px, random, state, moved_so_far);
     if (is_last) break;
@@ -228,7 +229,7 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
                           " % of the scale: the face is lost here; start anew after it");
   } else {
     LikenessFace face{model, tracked.whole, as_is, state, eyes_px, &tracked.colours};
-    const PictureLevel small = make_level(frame, std::min(1.0, likeness_eyes_px / eyes_px));
+    const PictureLevel small = make_level(now, std::min(1.0, likeness_eyes_px / eyes_px));
     double seen = likeness(face, small);
     if (seen < options.min_likeness && fit.image_rms <= same_skin_rms) {
       face.skin_alone = true;
