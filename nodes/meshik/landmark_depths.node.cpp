@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::meshik;
 
-NODE("meshik.landmark_depths", &landmark_depths, version{1},
+NODE("meshik.landmark_depths", &landmark_depths, version{2},
      doc{"How far the landmarks of a face lie towards the viewer, by a rig: for taking turns and nods out of tracks."},
-     input{"rig", "A head"}, input{"neutral", "The landmarks at rest, seen from the front"},
+     input{"rig", "A head"}, input{"neutral", "The landmarks at rest"},
      output("depths_px", "N x 1, in the pixels of the landmarks"));

@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "nodes/base/find_landmark.h"
+#include "nodes/track/head_raster.h"
 #include "nodes/track/jaw_line.h"
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/steps.h"
@@ -18,18 +19,6 @@ std::size_t patch_offset(const Image& patches, std::size_t index, int row, int s
 double eye_distance_px(const Landmarks& start) {
   const Landmark *right = find_landmark(start, "eye_inner_r"), *left = find_landmark(start, "eye_inner_l");
   return right && left ? distance_px(*right, *left) : 0;
-}
-
-// Of points that all are of the 18-point layout; else none.
-std::vector<double> usual_depths_px(const Landmarks& start, double eyes_px) {
-  if (eyes_px == 0) return {};
-  std::vector<double> depths_px;
-  for (const Landmark& point : start.points) {
-    const double depth = usual_depth(point.name);
-    if (depth < 0) return {};
-    depths_px.push_back(depth * eyes_px);
-  }
-  return depths_px;
 }
 
 }  // namespace
@@ -81,7 +70,7 @@ Knowledge::Knowledge(const Landmarks& start_points, const TrackKltOptions& given
     if (std::find(options.rigid.begin(), options.rigid.end(), start.points[i].name) != options.rigid.end())
       bonds.rigid.push_back(i);
   eyes_px = eye_distance_px(start);
-  bonds.depths_px = usual_depths_px(start, eyes_px);
+  bonds.depths_px = usual_depths_px(start);
 }
 
 void Knowledge::learn_sides(const Image& patches) {

@@ -39,8 +39,9 @@ struct StabiliseOptions {
 // Three points are few: where the head turns by more than some degrees, they turn it too little and drop the mouth.
 // head (7 x 1; null = not known): its pose since `rest` by all that is seen of it, and how like it is to what was
 // there, 0 to 1 (track_klt.h). Where it is seen, poses near it are likelier too: turns and tilts within a degree
-// or so, nods within 2 and scales within 3 %, as raised brows look like these. With it one rigid point is enough. It
-// counts for nothing without depths.
+// or so, nods within 2 and scales within 3 %, as raised brows look like these; scales that differ by less than 2 % from
+// that of `rest` are likelier still, and the points of all frames count as much as those of one. With it one rigid
+// point is enough. It counts for nothing without depths.
 Landmarks stabilise(const engine::Window<Landmarks>& landmarks, const Landmarks& rest, const Matrix* depths_px,
                     const Matrix* head, const StabiliseOptions& options = {});
 

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.stabilise", &stabilise, version{6},
+NODE("track.stabilise", &stabilise, version{7},
      doc{"Takes the head's motion out of tracked points, by those that the jaw does not move."},
      input{"landmarks", "The points of each frame and its neighbours", window{33, 33}},
      input{"rest", "The points that the face is laid upon: those of the first frame"},

@@ -8,7 +8,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.klt", &track_klt, version{12},
+NODE("track.klt", &track_klt, version{13},
      doc{"Follows points on a face through a video by pyramidal KLT, with a check that they come home, anchors against "
          "drift, and the edge of the lips."},
      input{"frames", "The video's frames", window{1, 0}}, input{"start", "The points on the first frame"},

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/expect_throw_text.h"
 
 namespace {
@@ -57,6 +59,29 @@ TEST(LandmarkDepths, OfAnUnknownPointIsTheMean) {
   Landmarks face = small_face();
   face.points.push_back({"mole", 80, 80});
   EXPECT_NEAR(landmark_depths(small_rig(), face).at(4, 0), 7.5, 1e-9);
+}
+
+// Depths of a head that is seen from the front, on one that is turned, moved the mouth over the face when it turned
+// back.
+TEST(LandmarkDepths, OfAHeadThatIsTurnedAreTurnedToo) {
+  Rig rig = small_rig();
+  rig.neutral.points_mm[39] = {-15, 45, 0};
+  rig.neutral.points_mm[42] = {15, 45, 0};
+  const double turn = 0.3;
+  const auto turned = [&](const char* name, std::size_t index) {
+    const Vec3f& at = rig.neutral.points_mm[index];
+    return Landmark{name, 100 + 2 * (std::cos(turn) * at[0] + std::sin(turn) * at[2]), 100 - 2.0 * at[1]};
+  };
+  const Landmarks face{{turned("lip_0", 48), turned("lip_6", 54), turned("chin", 8), turned("nose_tip", 30),
+                        turned("eye_inner_r", 39), turned("eye_inner_l", 42)}};
+  const Matrix depths = landmark_depths(rig, face);
+  const auto true_depth_px = [&](std::size_t index) {
+    const Vec3f& at = rig.neutral.points_mm[index];
+    return 2 * (std::cos(turn) * at[2] - std::sin(turn) * at[0]);
+  };
+  // A corner of the mouth would be off by 15 px.
+  EXPECT_NEAR(depths.at(0, 0) - depths.at(1, 0), true_depth_px(48) - true_depth_px(54), 5);
+  EXPECT_NEAR(depths.at(4, 0) - depths.at(5, 0), true_depth_px(39) - true_depth_px(42), 3);
 }
 
 TEST(LandmarkDepths, RejectAFaceUpsideDown) {

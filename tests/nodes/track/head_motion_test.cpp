@@ -91,6 +91,20 @@ TEST(HeadMotion, TellsANodFromAStepBack) {
   EXPECT_LT(eyes_off_px(sight.pose, front.truth, nod.truth), 3.5);
 }
 
+// A film may begin with a head that looks aside: a solid that faces the camera was turned by half as much.
+TEST(HeadMotion, TellsATurnOfAHeadThatLookedAsideAtTheStart) {
+  const PersonInView person;
+  const View aside = person.seen_from(18, 4);
+  const Image learnt = learn_head(grey_of(aside.image), aside.truth);
+  HeadPose pose = start_pose(aside.truth);
+  for (const double yaw_deg : {12.0, 6.0, 0.0, -6.0}) {
+    const View view = person.seen_from(yaw_deg, 4);
+    pose = find_head(grey_of(view.image), aside.truth, learnt, pose).pose;
+    EXPECT_NEAR(std::abs(degrees(pose.turn)), 18 - yaw_deg, 4) << yaw_deg;
+    EXPECT_NEAR(degrees(pose.nod), 0, 3) << yaw_deg;
+  }
+}
+
 TEST(HeadMotion, IsNotMovedByABlink) {
   const PersonInView person;
   Weights shut;

@@ -143,6 +143,20 @@ TEST(Stabilise, TakesALargeTurnOutWhereTheWholeHeadTellsIt) {
   EXPECT_EQ(off(&lost), off(nullptr)) << "a head that is not seen tells nothing";
 }
 
+// Corners of eyes that look otherwise in a head that is turned are beside their places as long as it is turned: frames
+// that are all wrong alike outvoted the head.
+TEST(Stabilise, FramesWhosePointsAreOffAlikeCountAsOneBesideTheHead) {
+  const Matrix depths{4, 1, {0, 0, 40, 25}}, head = pose(-0.15, 0.35, 0.9);
+  Landmarks seen = nodded(rest(), depths, -0.15, 0.35);
+  seen.points[2].y_px += 3;
+  const auto off = [&](const engine::Window<Landmarks>& frames) {
+    const Landmark lip = stabilise(frames, rest(), &depths, &head).points[3];
+    return std::hypot(lip.x_px - rest().points[3].x_px, lip.y_px - rest().points[3].y_px);
+  };
+  EXPECT_GT(off(window({seen}, 0)), 0.1);
+  EXPECT_NEAR(off(window({seen, seen, seen, seen, seen, seen, seen}, 3)), off(window({seen}, 0)), 0.01);
+}
+
 TEST(Stabilise, OnePointPlacesAHeadWhosePoseIsKnown) {
   const Matrix depths{4, 1, {0, 0, 40, 25}}, head = pose(0.1, -0.07, 0.9);
   Landmarks seen = nodded(rest(), depths, 0.1, -0.07);
