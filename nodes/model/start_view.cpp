@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "nodes/model/light_model.h"
 #include "nodes/render/shade.h"
@@ -17,6 +18,77 @@ constexpr double depth_slack_mm = 3;    // of a point behind what its pixel show
 constexpr double darkest_light = 0.03;  // below, its inverse is noise
 constexpr double least_albedo = 1e-4;
 
+// Directions and places in the head's frame.
+struct Seen {
+  Vec3f towards;  // the light
+  Vec3f eye;
+};
+
+Vec3f between(const std::vector<Vec3f>& corners, const std::array<std::uint32_t, 3>& triangle, const Vec3f& weights) {
+  Vec3f at{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) at[k] += weights[i] * corners[triangle[i]][k];
+  return at;
+}
+
+// The reflectance that the picture shows at a point of the skin, if it does.
+std::optional<Vec3f> reflectance_at(const StartView& view, const Seen& seen,
+                                    const std::array<std::uint32_t, 3>& triangle, const Vec3f& weights) {
+  const PictureState& state = view.state;
+  const render::Raster& raster = view.drawn.raster;
+  const Vec3f at = between(view.points_mm, triangle, weights);
+  const Vec3f normal = render::normalized(between(view.normals, triangle, weights));
+  double share = 0, depth = 0, x = 0, y = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto b = static_cast<double>(weights[i]);
+    const render::ScreenPoint& corner = view.drawn.screen[triangle[i]];
+    share += b * (state.seen.empty() ? 1.0 : static_cast<double>(state.seen[triangle[i]]));
+    depth += b * corner.depth_mm;
+    x += b * corner.x_px;
+    y += b * corner.y_px;
+  }
+  const Vec3f ray = render::normalized({seen.eye[0] - at[0], seen.eye[1] - at[1], seen.eye[2] - at[2]});
+  if (render::dot(normal, ray) < least_facing) return std::nullopt;
+  const long px = std::lround(x), py = std::lround(y);
+  if (px < 0 || py < 0 || px >= raster.width_px || py >= raster.height_px) return std::nullopt;
+  const float inverse = raster.inverse_depth_per_mm[raster.index(static_cast<int>(px), static_cast<int>(py))];
+  if (inverse > 0 && depth > 1.0 / static_cast<double>(inverse) + depth_slack_mm / view.level.factor)
+    return std::nullopt;
+  const std::array<float, 9> shown = sample_at(view.level, x, y);
+  const std::array<double, 3> lit = lit_of(state.light, {shown[0], shown[1], shown[2]});
+  const double cosine = share * static_cast<double>(render::dot(normal, seen.towards));
+  double mirrored = 0;
+  if (cosine > 0) {
+    const Vec3f halfway =
+        render::normalized({seen.towards[0] + ray[0], seen.towards[1] + ray[1], seen.towards[2] + ray[2]});
+    const Lobes lobes = lobes_at(static_cast<double>(render::dot(normal, halfway)));
+    for (std::size_t k = 0; k < lobes.value.size(); ++k)
+      mirrored += share * static_cast<double>(state.light.mirror[k]) * lobes.value[k];
+  }
+  Vec3f albedo;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double strength = light_at(state.light, c, cosine);
+    if (strength < darkest_light) return std::nullopt;
+    const double scattered = lit[c] - mirrored * static_cast<double>(state.light.parallel[c]);
+    albedo[c] = static_cast<float>(std::max(least_albedo, scattered / strength));
+  }
+  return albedo;
+}
+
+// The reflectance of what the picture shows at a place in the head's frame.
+std::optional<Vec3f> reflectance_seen_at(const StartView& view, const Seen& seen, const Vec3f& at) {
+  const PoseView there = model::view(scaled(view.state.pose, view.level.factor), at);
+  const render::Raster& raster = view.drawn.raster;
+  const long px = std::lround(there.x_px), py = std::lround(there.y_px);
+  if (px < 0 || py < 0 || px >= raster.width_px || py >= raster.height_px) return std::nullopt;
+  const std::int32_t found = raster.triangles[raster.index(static_cast<int>(px), static_cast<int>(py))];
+  if (found < 0) return std::nullopt;
+  const std::array<std::uint32_t, 3>& triangle = view.triangles[static_cast<std::size_t>(found)];
+  return reflectance_at(view, seen, triangle,
+                        render::barycentrics_at(view.drawn.screen, triangle, static_cast<float>(there.x_px),
+                                                static_cast<float>(there.y_px)));
+}
+
 }  // namespace
 
 StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
@@ -26,64 +98,35 @@ StartView start_view(const SkinBasis& basis, const std::vector<double>& identity
   result.points_mm = posed_skin(basis, identity, state.expression);
   result.normals = render::vertex_normals(result.points_mm, basis.triangles);
   result.level = make_level(picture, factor);
+  result.triangles = basis.triangles;
   result.drawn = draw_skin(basis, result.points_mm, state.pose, result.level);
   return result;
 }
 
-void colour_points(const StartView& view, const SkinBasis& basis, std::vector<SkinPoint>& points) {
+void colour_points(const StartView& view, const SkinBasis& basis, const LipRims& rims, std::vector<SkinPoint>& points) {
   const PictureState& state = view.state;
-  const render::Raster& raster = view.drawn.raster;
-  Vec3f towards{};  // the light, in the head's frame
+  Seen seen{{}, camera_of(state.pose).position_mm};
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t row = 0; row < 3; ++row)
-      towards[k] += static_cast<float>(state.pose.rotation[3 * row + k]) * state.light.direction[row];
-  const Vec3f eye = camera_of(state.pose).position_mm;
+      seen.towards[k] += static_cast<float>(state.pose.rotation[3 * row + k]) * state.light.direction[row];
   for (SkinPoint& point : points) {
-    point.mirrors = false;
     const auto& triangle = basis.triangles[point.triangle];
-    Vec3f at{}, normal{};
-    double share = 0, depth = 0, x = 0, y = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = triangle[i];
-      const float b = point.weights[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        at[k] += b * view.points_mm[v][k];
-        normal[k] += b * view.normals[v][k];
-      }
-      const render::ScreenPoint& corner = view.drawn.screen[v];
-      share += static_cast<double>(b) * (state.seen.empty() ? 1.0 : static_cast<double>(state.seen[v]));
-      depth += static_cast<double>(b) * corner.depth_mm;
-      x += static_cast<double>(b) * corner.x_px;
-      y += static_cast<double>(b) * corner.y_px;
+    std::optional<Vec3f> colour = reflectance_at(view, seen, triangle, point.weights);
+    float outwards_mm = 0, parted = 0;
+    for (std::size_t i = 0; i < 3 && !rims.parted.empty(); ++i) {
+      outwards_mm += point.weights[i] * rims.outwards_mm[triangle[i]];
+      parted += point.weights[i] * rims.parted[triangle[i]];
     }
-    normal = render::normalized(normal);
-    const Vec3f ray = render::normalized({eye[0] - at[0], eye[1] - at[1], eye[2] - at[2]});
-    if (render::dot(normal, ray) < least_facing) continue;
-    const long px = std::lround(x), py = std::lround(y);
-    if (px < 0 || py < 0 || px >= raster.width_px || py >= raster.height_px) continue;
-    const float inverse = raster.inverse_depth_per_mm[raster.index(static_cast<int>(px), static_cast<int>(py))];
-    if (inverse > 0 && depth > 1.0 / static_cast<double>(inverse) + depth_slack_mm / view.level.factor) continue;
-    const std::array<float, 9> seen = sample_at(view.level, x, y);
-    const std::array<double, 3> lit = lit_of(state.light, {seen[0], seen[1], seen[2]});
-    const double cosine = share * static_cast<double>(render::dot(normal, towards));
-    double mirrored = 0;
-    if (cosine > 0) {
-      const Vec3f halfway = render::normalized({towards[0] + ray[0], towards[1] + ray[1], towards[2] + ray[2]});
-      const Lobes lobes = lobes_at(static_cast<double>(render::dot(normal, halfway)));
-      for (std::size_t k = 0; k < lobes.value.size(); ++k)
-        mirrored += share * static_cast<double>(state.light.mirror[k]) * lobes.value[k];
+    if (parted > 0) {
+      Vec3f at = between(view.points_mm, triangle, point.weights);
+      at[1] += outwards_mm;
+      const std::optional<Vec3f> lip = reflectance_seen_at(view, seen, at);
+      if (lip && !colour && parted > 0.5f) colour = lip;
+      if (lip && colour)
+        for (std::size_t c = 0; c < 3; ++c) (*colour)[c] += parted * ((*lip)[c] - (*colour)[c]);
     }
-    Vec3f albedo;
-    bool dark = false;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double strength = light_at(state.light, c, cosine);
-      dark = dark || strength < darkest_light;
-      const double scattered = lit[c] - mirrored * static_cast<double>(state.light.parallel[c]);
-      albedo[c] = static_cast<float>(std::max(least_albedo, scattered / strength));
-    }
-    if (dark) continue;
-    point.albedo = albedo;
-    point.mirrors = true;
+    point.mirrors = colour.has_value();
+    if (colour) point.albedo = colour;
   }
 }
 

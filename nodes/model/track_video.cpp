@@ -11,6 +11,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/model/likeness.h"
+#include "nodes/model/lip_rims.h"
 #include "nodes/model/pixel_normal.h"
 #include "nodes/model/pixel_rows.h"
 #include "nodes/model/pose_model.h"
@@ -87,6 +88,7 @@ struct Tracked {
   std::vector<Vec3f> colours;
   std::vector<double> centre;  // the frame before's expression
   std::vector<std::vector<double>> gaps;
+  std::optional<PartingLips> lips;
 };
 
 // A size of the frame, and of the start's picture where there is one.
@@ -105,7 +107,7 @@ void step(const Tracked& tracked, const Sizes& sizes, double eyes_px, Random& ra
   std::size_t visible = 0;
   std::vector<SkinPoint> points =
       choose_points(tracked.basis, drawn, static_cast<std::size_t>(tracked.options->points), random, visible);
-  if (sizes.start) colour_points(*sizes.start, tracked.basis, points);
+  if (sizes.start) colour_points(*sizes.start, tracked.basis, tracked.lips->at(state.expression), points);
   const PixelRows rows = rows_at(points, tracked.basis, posed_mm, tracked.colours, state, level, columns);
   if (rows.residual.size() < 30) return;
   const PixelNormal pixels = pixel_normal(rows, sizes.start ? fine_kernel : usual_kernel);
@@ -200,6 +202,7 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   first.expression.assign(tracked.basis.expressions, 0.0);
   for (std::size_t k = 0; k < std::min(first.expression.size(), start.expression.size()); ++k)
     first.expression[k] = start.expression[k];
+  tracked.lips.emplace(model, tracked.basis, first.expression);
   if (picture != nullptr) first.seen = shadow_of(tracked.whole, as_is, first);
   Random random(static_cast<std::uint64_t>(options.seed));
   const double eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);

@@ -32,9 +32,10 @@ struct TrackVideoResult {
 // Vetter: Reanimating Faces in Images and Video, Eurographics 2003, section 4.1). Differs from the paper: Gauss-Newton
 // steps, robust weights, harmonics of the normal for light that the model does not know; lids are left out, and many
 // components move, because what they do not explain of brows and mouths turns the head; colours are as fine as the
-// picture; and a frame that does not look like the face says so and leaves pose and expression as they were. start: the
-// fit of the first frame, or of one near it. albedo: the face's own colours, of texture.extract. picture: what start
-// was fitted on; null: colours are the albedo's, at vertices alone.
+// picture, without the dark line between lips once they have parted; and a frame that does not look like the face says
+// so and leaves pose and expression as they were. start: the fit of the first frame, or of one near it. albedo: the
+// face's own colours, of texture.extract. picture: what start was fitted on; null: colours are the albedo's, at
+// vertices alone.
 TrackVideoResult track_video(const MorphableModel& model, const Image& frame, const FaceFit& start,
                              const AlbedoMap& albedo, const Image* picture,
                              const engine::Prior<TrackVideoResult>& prior, const TrackVideoOptions& options = {});

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "nodes/model/pose_model.h"
 #include "tests/nodes/model/material.h"
@@ -42,7 +45,7 @@ TEST(StartView, ExplainsItsOwnPictureToThePixel) {
   Random random(1);
   std::size_t visible = 0;
   std::vector<SkinPoint> points = choose_points(world.basis, view.drawn, 500, random, visible);
-  colour_points(view, world.basis, points);
+  colour_points(view, world.basis, {}, points);
   std::erase_if(points, [](const SkinPoint& p) { return !p.albedo; });
   ASSERT_GT(points.size(), 300u);
   const PixelRows rows = rows_at(points, world.basis, world.posed_mm(), world.basis.mean_albedo, world.state,
@@ -56,7 +59,7 @@ TEST(StartView, HasNoColoursOfSkinThatItDoesNotShow) {
   Random random(1);
   std::size_t visible = 0;
   std::vector<SkinPoint> points = choose_points(front.basis, front.view().drawn, 2000, random, visible);
-  colour_points(view, front.basis, points);
+  colour_points(view, front.basis, {}, points);
   int hidden = 0, hidden_coloured = 0, coloured = 0;
   for (const SkinPoint& point : points) {
     const float x = front.basis.mean_mm[front.basis.triangles[point.triangle][0]][0];
@@ -69,6 +72,35 @@ TEST(StartView, HasNoColoursOfSkinThatItDoesNotShow) {
   ASSERT_GT(hidden, 30);
   EXPECT_LT(hidden_coloured, hidden / 10);
   EXPECT_GT(coloured, 500);
+}
+
+// The least reflectance in rows 118 to 123 of the picture, where skin is told to look 8 mm up as far as it has parted.
+float darkest(const World& world, float parted) {
+  const StartView view = world.view();
+  const std::size_t vertices = world.basis.vertices.size();
+  const LipRims rims{std::vector<float>(vertices, 8.0f), std::vector<float>(vertices, parted)};
+  Random random(1);
+  std::size_t visible = 0;
+  std::vector<SkinPoint> points = choose_points(world.basis, view.drawn, 2000, random, visible);
+  colour_points(view, world.basis, rims, points);
+  float least = 1;
+  for (const SkinPoint& point : points) {
+    float y = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      y += point.weights[i] * view.drawn.screen[world.basis.triangles[point.triangle][i]].y_px;
+    if (point.albedo && y > 118 && y < 123) least = std::min(least, (*point.albedo)[0]);
+  }
+  return least;
+}
+
+// The dark line between lips that meet is no colour of theirs.
+TEST(StartView, GivesRimsTheColourOfTheirLipWhereLipsHaveParted) {
+  World world;
+  std::fill(world.picture.pixels.begin(), world.picture.pixels.end(), std::uint8_t{150});
+  const float plain = darkest(world, 0);
+  for (std::size_t i = 118u * 240 * 3; i < 124u * 240 * 3; ++i) world.picture.pixels[i] = 30;
+  EXPECT_LT(darkest(world, 0), 0.2f * plain);
+  EXPECT_GT(darkest(world, 1), 0.8f * plain);  // light falls otherwise 8 mm up
 }
 
 }  // namespace
