@@ -6,7 +6,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.fit_images", &fit_images, version{6},
+NODE("model.fit_images", &fit_images, version{7},
      doc{"Analysis by synthesis of several pictures of one person, who is shared: pose, focal length, light, identity, "
          "albedo and expression."},
      input{"model", "The morphable model"}, input{"pictures", "One face"},

@@ -13,8 +13,9 @@ namespace {
 constexpr double narrow_gap_mm = 4;     // up to which an open mouth is doubted
 constexpr double line_mm = 1.5;         // up to which nothing is seen between lips but the dark line where they meet
 constexpr double closed_excess = 1.06;  // of the cost of a closed mouth over that of the open one, to be believed
-constexpr double line_excess = 1.1;     // the same where the open one is no more than that line
+constexpr double line_excess = 1.1;     // the same where there is no more than that line, or lips beyond doubt, between
 // Photographs of closed mouths come out at 0.10 to 0.45, of open ones at 0.58 and more.
+constexpr double lips_for_sure = 0.25;          // up to which it is nothing but lips; half of the closed ones
 constexpr double lips_seen = 0.5;               // mouth_cost up to which what is between the lips is lips
 constexpr double tried_gaps_mm[] = {4, 8, 12};  // of a closed mouth that is tried open
 constexpr double wider_share = 0.98;            // of the cost of the narrower one, to be believed
@@ -34,12 +35,14 @@ void close_mouths(const std::vector<PictureLevel>& levels, const std::function<v
   }
   if (!any) return;
   run_steps(closed);
-  for (std::size_t m = 0; m < joint.pictures.size(); ++m)
-    if (closed.pictures[m].closed && (image_cost(closed, m, levels[m]) > (is_line[m] ? line_excess : closed_excess) *
-                                                                             image_cost(joint, m, levels[m]) ||
-                                      (!is_line[m] && mouth_cost(joint, closed, m, levels[m]) > lips_seen) ||
-                                      point_cost(closed, m) > point_cost(joint, m) + points_allow()))
+  for (std::size_t m = 0; m < joint.pictures.size(); ++m) {
+    if (!closed.pictures[m].closed) continue;
+    const double between = mouth_cost(joint, closed, m, levels[m]);
+    const double excess = is_line[m] || between < lips_for_sure ? line_excess : closed_excess;
+    if (image_cost(closed, m, levels[m]) > excess * image_cost(joint, m, levels[m]) ||
+        (!is_line[m] && between > lips_seen) || point_cost(closed, m) > point_cost(joint, m) + points_allow())
       return;
+  }
   joint = std::move(closed);
 }
 
