@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +24,9 @@
 namespace face::transfer {
 namespace {
 
-constexpr double upper_share = 0.85;            // of a shut eye's opening that the upper lid covers
-constexpr double upper_px = 14, lower_px = 10;  // how far from the lids' edges skin moves with them
+constexpr double upper_share = 0.85;  // of a shut eye's opening that the upper lid covers
+// How far from the lids' edges skin moves with them, shares of the opening's length: 14 and 10 pixels of 57.
+constexpr double upper_reach = 0.25, lower_reach = 0.175;
 constexpr double wild_levels = 20;
 constexpr std::size_t starts_kept = 2;
 constexpr std::size_t fewest_corners = 8;
@@ -69,9 +71,10 @@ class MeshMotion {
       }
     return least < 1e30;
   }
-  // Whether all of the mesh about an opening is within a picture's size of the picture: a camera may be no camera.
+  // Whether all of the mesh within an opening's length of it is within a picture's size of the picture: a camera may be
+  // no camera.
   bool stays_near(const Outline& outline, const Image& picture) const {
-    constexpr double about_px = 64;
+    const double about_px = opening_axis(outline).length;
     for (std::size_t v = 0; v < before_.size(); ++v) {
       const double x = after_[v][0] / picture.width, y = after_[v][1] / picture.height;
       if (!(std::fabs(x) < 2 && std::fabs(y) < 2) && !(outline.distance(before_[v]) > about_px)) return false;
@@ -115,11 +118,10 @@ Eigen::Matrix<double, 3, 2> head_motion(const OpeningSheet& sheet, const MeshMot
   return sums.ldlt().solve(sides);
 }
 
-// The outline's top and bottom in a column; false beside it.
-bool column_of(const Outline& outline, double x, double& top, double& bottom) {
+// The top and bottom of a closed curve in a column; false beside it.
+bool column_of(const std::vector<Place>& corners, double x, double& top, double& bottom) {
   top = 1e30;
   bottom = -1e30;
-  const std::vector<Place>& corners = outline.corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Place &a = corners[i], &b = corners[(i + 1) % corners.size()];
     if ((a[0] <= x) == (b[0] <= x)) continue;
@@ -129,6 +131,29 @@ bool column_of(const Outline& outline, double x, double& top, double& bottom) {
   }
   return bottom > top;
 }
+
+// Where lids shut by a share bring a place of the skin: across the opening, the less the farther they are from it.
+class LidMotion {
+ public:
+  explicit LidMotion(const Outline& outline) : axis_(opening_axis(outline)) {
+    for (const Place& corner : outline.corners) corners_.push_back(axis_.own(corner));
+  }
+  Place shut(const Place& place, double share) const {
+    Place own = axis_.own(place);
+    double top = 0, bottom = 0;
+    if (!column_of(corners_, own[0], top, bottom)) return place;
+    const double way = share * (bottom - top);
+    if (own[1] < 0.5 * (top + bottom))
+      own[1] += way * upper_share * std::clamp(1 - (top - own[1]) / (upper_reach * axis_.length), 0.0, 1.0);
+    else
+      own[1] -= way * (1 - upper_share) * std::clamp(1 - (own[1] - bottom) / (lower_reach * axis_.length), 0.0, 1.0);
+    return axis_.picture(own);
+  }
+
+ private:
+  OpeningAxis axis_;
+  std::vector<Place> corners_;
+};
 
 double grey_of(const Image& picture, std::size_t i) {
   const std::uint8_t* p = picture.pixels.data() + i * static_cast<std::size_t>(picture.channels);
@@ -171,19 +196,11 @@ OpeningPose fitted(const OpeningScene& scene, const Outline& outline, const Mesh
     starts.push_back({cost, pose});
   };
   consider(held);
+  const LidMotion lids(outline);
   for (int step = -2; step <= 10; ++step) {
     OpeningPose pose = held;
-    for (std::size_t v = 0; v < sheet.places.size(); ++v) {
-      const Place& place = sheet.places[v];
-      pose.vertices[v] = by_head(place);
-      double top = 0, bottom = 0;
-      if (!column_of(outline, place[0], top, bottom)) continue;
-      const double shut = 0.1 * step * (bottom - top);
-      if (place[1] < 0.5 * (top + bottom))
-        pose.vertices[v][1] += shut * upper_share * std::clamp(1 - (top - place[1]) / upper_px, 0.0, 1.0);
-      else
-        pose.vertices[v][1] -= shut * (1 - upper_share) * std::clamp(1 - (place[1] - bottom) / lower_px, 0.0, 1.0);
-    }
+    for (std::size_t v = 0; v < sheet.places.size(); ++v)
+      pose.vertices[v] = by_head(lids.shut(sheet.places[v], 0.1 * step));
     consider(pose);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -200,7 +217,7 @@ OpeningPose fitted(const OpeningScene& scene, const Outline& outline, const Mesh
 Image draw_openings(const Image& drawn, const Landmarks& openings, const Mesh& mesh, const DepthScan& reference,
                     const DepthScan* texture, const MeshPoints& shape, const DepthScan& frame,
                     const DrawOpeningsOptions& options) {
-  const DrawTextureResult learned = draw_texture(mesh, reference, shape, frame);
+  check_texture(mesh, reference, shape, frame);
   check(drawn.width == frame.picture.width && drawn.height == frame.picture.height && drawn.channels == 1, "drawn is ",
         drawn.width, " x ", drawn.height, " x ", drawn.channels, ", frame ", frame.picture.width, " x ",
         frame.picture.height, " x 1");
@@ -213,25 +230,27 @@ Image draw_openings(const Image& drawn, const Landmarks& openings, const Mesh& m
           reference.picture.width, " x ", reference.picture.height);
   }
   Image result = drawn;
+  std::optional<DrawTextureResult> learned;  // what most frames, in which no lid shuts, do not need
   const MeshMotion motion(mesh, reference.picture, render::project(frame.camera, shape.points_mm));
   for (const Outline& outline : outlines_of(openings)) {
     if (!(motion.open_share(outline) < options.least_open) || !motion.stays_near(outline, frame.picture)) continue;
+    if (!learned) learned = draw_texture(mesh, reference, shape, frame);
     const OpeningSheet sheet = opening_sheet(outline);
     const OpeningLayers layers = opening_layers(reference.picture, outline);
     const OpeningScene scene(sheet, layers);
     OpeningPose pose = fitted(scene, outline, motion, frame.picture);
     double by_layers = 0, by_mesh = 0;
     each_drawn(scene.view(pose), frame.picture, [&](const OpeningView::Pixel& pixel, std::size_t i) {
-      if (learned.mask.pixels[i] == 0) return;
-      by_layers += std::pow(pixel.grey - learned.picture.pixels[i], 2);
-      by_mesh += std::pow(static_cast<double>(learned.drawn.pixels[i]) - learned.picture.pixels[i], 2);
+      if (learned->mask.pixels[i] == 0) return;
+      by_layers += std::pow(pixel.grey - learned->picture.pixels[i], 2);
+      by_mesh += std::pow(static_cast<double>(learned->drawn.pixels[i]) - learned->picture.pixels[i], 2);
     });
     if (!(by_layers < options.least_gain * by_mesh)) continue;
     // In the texture's own light.
     if (texture) std::fill(pose.light.begin(), pose.light.end(), 0);
     const OpeningLayers own = texture ? opening_layers(texture->picture, outline) : layers;
     each_drawn(OpeningScene(sheet, own).view(pose), frame.picture, [&](const OpeningView::Pixel& pixel, std::size_t i) {
-      if (learned.mask.pixels[i] > 0)
+      if (learned->mask.pixels[i] > 0)
         result.pixels[i] = static_cast<std::uint8_t>(std::clamp(pixel.grey + 0.5, 0.0, 255.0));
     });
   }

@@ -16,7 +16,7 @@ struct DrawOpeningsOptions {
 // Draws openings that lids shut as layers where one sheet of triangles cannot: skin with a hole, and the eye behind it,
 // in the reference's texture on a frame. Where a frame's mesh keeps less than least_open of an opening's area, the
 // layers are fitted to the frame (fit_opening), from where the mesh has them and from lids that are shut by eleven
-// shares, the two that look best; lids go up and down in the picture. They are drawn where they differ from the frame,
+// shares, the two that look best; lids move across the opening. They are drawn where they differ from the frame,
 // squared, by less than least_gain of what the mesh does.
 // drawn: of draw_texture, and what is returned elsewhere. reference, frame: as the shape was learned from them;
 // texture: the reference with the picture that is drawn, or the same. openings: of find_openings, in the reference's

@@ -94,16 +94,33 @@ void fill_from_border(const Image& mask, std::vector<std::size_t> empty, Image& 
   }
 }
 
+// Takes off a mask what lies beside a pixel of the picture that is not in it, in its row or column.
+void take_off_edge(Image& mask) {
+  const std::vector<std::uint8_t> before = mask.pixels;
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x);
+  };
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x)
+      if (before[at(std::max(x - 1, 0), y)] == 0 || before[at(std::min(x + 1, mask.width - 1), y)] == 0 ||
+          before[at(x, std::max(y - 1, 0))] == 0 || before[at(x, std::min(y + 1, mask.height - 1))] == 0)
+        mask.pixels[at(x, y)] = 0;
+}
+
 }  // namespace
 
-DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
-                               const DepthScan& frame, const DepthScan* seen, const DrawTextureOptions& options) {
+void check_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape, const DepthScan& frame) {
   check_scan(reference, "reference");
   check_scan(frame, "frame");
   check(mesh.uvs.size() == mesh.points_mm.size(), "mesh has ", mesh.uvs.size(), " uvs, expected one for each of its ",
         mesh.points_mm.size(), " points");
   check(shape.points_mm.size() == mesh.points_mm.size(), "shape has ", shape.points_mm.size(), " points, the mesh ",
         mesh.points_mm.size());
+}
+
+DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
+                               const DepthScan& frame, const DepthScan* seen, const DrawTextureOptions& options) {
+  check_texture(mesh, reference, shape, frame);
   const int width = frame.picture.width, height = frame.picture.height;
   const Image& picture = seen ? seen->picture : frame.picture;
   if (seen) check_scan(*seen, "seen");
@@ -142,6 +159,7 @@ DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, con
           to_byte(texture.at(u * reference.picture.width - 0.5, (1 - v) * reference.picture.height - 0.5)));
     }
   fill_from_border(result.mask, std::move(empty), result.drawn);
+  for (std::int64_t i = 0; i < options.edge_px; ++i) take_off_edge(result.mask);
   return result;
 }
 

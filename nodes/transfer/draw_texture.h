@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+
 #include "nodes/types/depth_scan.h"
 #include "nodes/types/image.h"
 #include "nodes/types/mesh.h"
@@ -9,12 +11,13 @@ namespace face::transfer {
 
 struct DrawTextureOptions {
   double least_area = 0.1;
+  std::int64_t edge_px = 1;
 };
 
 struct DrawTextureResult {
   Image drawn;    // grey, as large as the frame's picture; 0 where nothing is drawn
   Image picture;  // the frame's own, grey
-  Image mask;     // 255 where the face is drawn
+  Image mask;     // 255 where the face is drawn, and nothing else is seen
 };
 
 // The reference's texture on a frame: the mesh with a frame's shape as that frame's camera sees it, every pixel in the
@@ -25,9 +28,15 @@ struct DrawTextureResult {
 // Where most triangles keep less than least_area of the area that they have in the reference's picture, the surface is
 // hidden: the mesh, which is one sheet, has an eye between its lids also when they are shut. It is not drawn, nor are
 // the triangles beside it, whose pixels the reference shows mixed with it; what pixels they had are as those about
-// them.
+// them. A pixel on the edge of a lip has teeth in it, of which the texture knows nothing: mask leaves out pixels fewer
+// than edge_px + 1 from what is not drawn (a pixel whose middle is on the face and a lens's blur reach no farther than
+// one), 0 = none.
+// Throws what check_texture throws.
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
                                const DepthScan& frame, const DepthScan* seen = nullptr,
                                const DrawTextureOptions& options = {});
+
+// Throws where the reference, the frame or the shape do not belong to the mesh.
+void check_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape, const DepthScan& frame);
 
 }  // namespace face::transfer

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -18,12 +19,14 @@
 #include "nodes/render/camera.h"
 #include "nodes/render/triangulate.h"
 #include "nodes/transfer/opening_sheet.h"
+#include "nodes/transfer/pixel_parts.h"
 
 namespace face::transfer {
 namespace {
 
-constexpr std::size_t fewest_pixels = 60;
-constexpr int edge_px = 4;       // nearer to what is not measured is a lip
+// In edges of the mesh, to which what is hidden is known: what no frame hides quite, and what hangs together by a
+// thread; nearer to what is not measured is a lip; an opening has so many vertices.
+constexpr int closed_edges = 2, thread_edges = 1, lip_edges = 2, fewest_vertices = 15;
 constexpr double step_px = 0.5;  // along a normal
 constexpr double pull = 0.15;    // of a pixel squared from where the curve was, against levels
 constexpr double turn = 3;       // of a step squared between neighbours
@@ -77,87 +80,23 @@ std::vector<int> hidden_counts(const Mesh& mesh, const DepthScan& reference, con
   return counts;
 }
 
-// Flags of a picture's pixels.
-class Flags {
- public:
-  Flags(int width, int height) : width_(width), height_(height) {
-    on_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  }
-  int width() const { return width_; }
-  int height() const { return height_; }
-  bool at(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_ && on_[index(x, y)] != 0; }
-  void set(int x, int y, bool on) { on_[index(x, y)] = on ? 1 : 0; }
-  // On where any (or all) within a radius is.
-  Flags spread(int radius, bool any) const {
-    Flags out(width_, height_);
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        bool found = !any;
-        for (int dy = -radius; dy <= radius; ++dy)
-          for (int dx = -radius; dx <= radius; ++dx)
-            if (dx * dx + dy * dy <= radius * radius && at(x + dx, y + dy) == any) found = any;
-        out.set(x, y, found);
-      }
-    return out;
-  }
-
- private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-  }
-  int width_, height_;
-  std::vector<char> on_;
-};
-
-using Pixels = std::vector<std::array<int, 2>>;
-
-std::vector<Pixels> parts_of(Flags flags) {
-  std::vector<Pixels> parts;
-  for (int y = 0; y < flags.height(); ++y)
-    for (int x = 0; x < flags.width(); ++x) {
-      if (!flags.at(x, y)) continue;
-      Pixels part = {{x, y}};
-      flags.set(x, y, false);
-      for (std::size_t next = 0; next < part.size(); ++next)
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx) {
-            const int nx = part[next][0] + dx, ny = part[next][1] + dy;
-            if (!flags.at(nx, ny)) continue;
-            flags.set(nx, ny, false);
-            part.push_back({nx, ny});
-          }
-      parts.push_back(std::move(part));
+// How long the shortest edge of most polygons is in the reference's picture, whole pixels.
+int edge_length_px(const Mesh& mesh, const Image& picture) {
+  constexpr double longest = 16;
+  std::vector<double> shortest;
+  for (std::size_t p = 0; p < mesh.polygon_count(); ++p) {
+    double least = longest;
+    for (std::uint32_t first = mesh.polygon_starts[p], last = mesh.polygon_starts[p + 1], k = first; k < last; ++k) {
+      const Vec2f &a = mesh.uvs[mesh.corners[k]], &b = mesh.uvs[mesh.corners[k + 1 < last ? k + 1 : first]];
+      least = std::min(least, length({static_cast<double>(b[0] - a[0]) * picture.width,
+                                      static_cast<double>(b[1] - a[1]) * picture.height}));
     }
-  return parts;
-}
-
-// The outer border of a part, pixel by pixel (Moore's neighbours, clockwise).
-std::vector<Place> border_of(const Pixels& part, int width, int height) {
-  Flags flags(width, height);
-  for (const auto& [x, y] : part) flags.set(x, y, true);
-  constexpr std::array<std::array<int, 2>, 8> ways = {
-      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-  // The first in reading order: there is nothing above and to its left.
-  const auto [first_x, first_y] = *std::min_element(part.begin(), part.end(), [](const auto& a, const auto& b) {
-    return std::pair(a[1], a[0]) < std::pair(b[1], b[0]);
-  });
-  std::vector<Place> border;
-  int x = first_x, y = first_y;
-  std::size_t way = 7;
-  do {
-    border.push_back({static_cast<double>(x), static_cast<double>(y)});
-    std::size_t turned = 0;
-    for (; turned < 8; ++turned) {
-      const auto& [dx, dy] = ways[(way + turned) % 8];
-      if (flags.at(x + dx, y + dy)) break;
-    }
-    if (turned == 8) break;
-    way = (way + turned) % 8;
-    x += ways[way][0];
-    y += ways[way][1];
-    way = (way + 6) % 8;
-  } while ((x != first_x || y != first_y) && border.size() < 4 * part.size());
-  return border;
+    shortest.push_back(least);
+  }
+  if (shortest.empty()) return 1;
+  const auto middle = shortest.begin() + static_cast<std::ptrdiff_t>(shortest.size() / 2);
+  std::nth_element(shortest.begin(), middle, shortest.end());
+  return *middle > 1 ? static_cast<int>(std::lround(*middle)) : 1;
 }
 
 // Corners a pixel apart.
@@ -374,24 +313,27 @@ Landmarks find_openings(const Mesh& mesh, const DepthScan& reference, const engi
   check(shapes.size() == frames.size(), "shapes has ", shapes.size(), " elements, frames ", frames.size());
   const std::vector<int> counts = hidden_counts(mesh, reference, shapes, frames, options.least_area);
   const int width = reference.picture.width, height = reference.picture.height;
-  Flags hidden(width, height), edge(width, height);
+  PixelFlags hidden(width, height), edge(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
       hidden.set(x, y, counts[i] >= options.fewest_frames);
       edge.set(x, y, !(reference.depth_mm[i] > 0));
     }
-  // Closed over what no frame hides quite, opened over what hangs together by a thread.
-  hidden = hidden.spread(4, true).spread(4, false).spread(2, false).spread(2, true);
-  edge = edge.spread(edge_px, true);
+  const int edge_px = edge_length_px(mesh, reference.picture);
+  hidden = hidden.grown(closed_edges * edge_px).shrunk(closed_edges * edge_px);
+  hidden = hidden.shrunk(thread_edges * edge_px).grown(thread_edges * edge_px);
+  edge = edge.grown(lip_edges * edge_px);
   const Outliner outliner(reference.picture);
   Landmarks openings;
   int number = 0;
   for (const Pixels& part : parts_of(hidden)) {
     const bool at_edge =
         std::any_of(part.begin(), part.end(), [&](const auto& pixel) { return edge.at(pixel[0], pixel[1]); });
-    if (part.size() < fewest_pixels || at_edge) continue;
-    const Outline outline = outliner.about(border_of(part, width, height));
+    if (part.size() < static_cast<std::size_t>(fewest_vertices * edge_px * edge_px) || at_edge) continue;
+    std::vector<Place> border;
+    for (const auto& [x, y] : border_of(part)) border.push_back({static_cast<double>(x), static_cast<double>(y)});
+    const Outline outline = outliner.about(border);
     ++number;
     for (std::size_t i = 0; i < outline.corners.size(); ++i)
       openings.points.push_back(

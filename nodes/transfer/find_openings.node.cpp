@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.find_openings", &find_openings, version{1},
+NODE("transfer.find_openings", &find_openings, version{2},
      doc{"Openings of a reference scan that lids shut, found by what a stream hides."},
      input{"mesh", "Of the reference scan, from model.scan_mesh"}, input{"reference", "The reference scan"},
      input{"shapes", "Where the vertices are in every frame, from model.sample_scan"},

@@ -22,8 +22,8 @@ namespace {
 // its grid to the next, and as a whole; of an eye a pixel off, and one that is stretched by 2 %.
 constexpr double bend_along = 20, bend = 3, stretch = 0.05, rim = 3, uneven_light = 20000, any_light = 20,
                  eye_place = 3, eye_form = 400;
-constexpr double form_scale = 50;   // pixels: half an eye
-constexpr double wild_levels = 10;  // differences so large count half (Cauchy)
+constexpr double form_scale = 50;                            // pixels: half an eye
+constexpr std::array<double, 3> wild_levels = {40, 20, 10};  // differences so large count half (Cauchy), in turn
 constexpr double longest_step_px = 2, largest_step_light = 0.3;
 constexpr int iterations = 25, tries = 5;
 constexpr double enough = 1e-3;  // of the cost, in one step
@@ -46,11 +46,12 @@ class Normal {
 
 class Fit {
  public:
-  Fit(const OpeningScene& scene, const Image& frame, const OpeningPose& held)
+  Fit(const OpeningScene& scene, const Image& frame, const OpeningPose& held, double wild)
       : scene_(scene),
         sheet_(scene.sheet()),
         frame_(frame),
         held_(held),
+        wild_(wild),
         first_light_(2 * static_cast<int>(sheet_.places.size())),
         first_eye_(first_light_ + scene.light_columns() * scene.light_rows()),
         unknowns_(first_eye_ + 6) {}
@@ -58,7 +59,7 @@ class Fit {
   double cost(const OpeningPose& pose, const OpeningView& view) const {
     double sum = 0;
     each_difference(view, [&](int, int, const OpeningView::Pixel&, double difference) {
-      sum += wild_levels * wild_levels * std::log1p(std::pow(difference / wild_levels, 2));
+      sum += wild_ * wild_ * std::log1p(std::pow(difference / wild_, 2));
     });
     each_held(pose,
               [&](std::span<const Term>, double residual, double weight) { sum += weight * residual * residual; });
@@ -71,7 +72,7 @@ class Fit {
       const auto at = [&](int px, int py) -> const OpeningView::Pixel& { return view.at(px, py); };
       const auto &left = at(x - 1, y), &right = at(x + 1, y), &above = at(x, y - 1), &below = at(x, y + 1);
       if (!left.drawn || !right.drawn || !above.drawn || !below.drawn) return;
-      const double weight = 1 / (1 + std::pow(difference / wild_levels, 2));
+      const double weight = 1 / (1 + std::pow(difference / wild_, 2));
       const double light = std::max(pixel.share * pixel.skin + (1 - pixel.share) * pixel.eye, 1e-4);
       const double slope = 255 * srgb_slope(light), eye_share = 1 - pixel.share;
       // The eye's own gradient, in the reference's picture.
@@ -192,14 +193,13 @@ class Fit {
   const OpeningSheet& sheet_;
   const Image& frame_;
   const OpeningPose& held_;
+  double wild_;
   int first_light_, first_eye_, unknowns_;
 };
 
-}  // namespace
-
-FitOpeningResult fit_opening(const OpeningScene& scene, const Image& frame, const OpeningPose& start,
-                             const OpeningPose& held) {
-  const Fit fit(scene, frame, held);
+FitOpeningResult fit_once(const OpeningScene& scene, const Image& frame, const OpeningPose& start,
+                          const OpeningPose& held, double wild) {
+  const Fit fit(scene, frame, held, wild);
   FitOpeningResult result{start, 0};
   OpeningView view = scene.view(result.pose);
   result.cost = fit.cost(result.pose, view);
@@ -231,6 +231,15 @@ FitOpeningResult fit_opening(const OpeningScene& scene, const Image& frame, cons
     }
     if (!better || gained < enough * result.cost) break;
   }
+  return result;
+}
+
+}  // namespace
+
+FitOpeningResult fit_opening(const OpeningScene& scene, const Image& frame, const OpeningPose& start,
+                             const OpeningPose& held) {
+  FitOpeningResult result{start, 0};
+  for (const double wild : wild_levels) result = fit_once(scene, frame, result.pose, held, wild);
   return result;
 }
 

@@ -13,15 +13,16 @@ namespace face::transfer {
 namespace {
 
 constexpr int stride = 2;
-constexpr int margin_x = 14, margin_y = 18;  // a lid's skin moves so far from an eye of 60 x 25 pixels
-constexpr double snap = 0.7;                 // vertices so near to the outline lie on it
-constexpr int light_px = 10;
+// Shares of an opening's length: how far from it a lid's skin moves, along it and across it (14 and 18 pixels of an eye
+// 57 pixels long); how far apart light is told; how far an eye goes on below a lid.
+constexpr double margin_along = 0.25, margin_across = 0.32, light_step = 0.175, reach_below = 0.25;
+constexpr double snap = 0.7;     // pixels: vertices so near to the outline lie on it
 constexpr int parts = 4;         // of a pixel's width, where layers are told apart
 constexpr int window = 16;       // parts that a pixel sees, with the lens's blur
 constexpr double lens_px = 0.5;  // standard deviation of a sharp lens's blur
 constexpr double clean = 0.03;   // shares that are none
 constexpr int sure_px = 8;       // so far from a view's border a pixel is within the sheet's rim
-constexpr int reach = 14;        // pixels below a lid that an eye goes on
+constexpr int blur_px = 8;       // a pixel at the outline sees less than half as far
 
 Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1]}; }
 Place operator-(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
@@ -215,9 +216,45 @@ double Outline::distance(const Place& place, Place* nearest) const {
   return inside ? -least : least;
 }
 
+Place OpeningAxis::own(const Place& place) const {
+  const Place from = place - middle;
+  return {from[0] * along[0] + from[1] * along[1], from[1] * along[0] - from[0] * along[1]};
+}
+
+Place OpeningAxis::picture(const Place& own) const {
+  return {middle[0] + own[0] * along[0] - own[1] * along[1], middle[1] + own[0] * along[1] + own[1] * along[0]};
+}
+
+OpeningAxis opening_axis(const Outline& outline) {
+  OpeningAxis axis;
+  const auto count = static_cast<double>(outline.corners.size());
+  for (const Place& p : outline.corners) axis.middle = axis.middle + (1 / count) * p;
+  double xx = 0, xy = 0, yy = 0;
+  for (const Place& p : outline.corners) {
+    const Place from = p - axis.middle;
+    xx += from[0] * from[0];
+    xy += from[0] * from[1];
+    yy += from[1] * from[1];
+  }
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);  // -90 to 90 degrees: to the right
+  axis.along = {std::cos(angle), std::sin(angle)};
+  double least = 0, most = 0;
+  for (const Place& p : outline.corners) {
+    least = std::min(least, axis.own(p)[0]);
+    most = std::max(most, axis.own(p)[0]);
+  }
+  axis.length = most - least;
+  return axis;
+}
+
 OpeningSheet opening_sheet(const Outline& outline) {
   const Box box = box_of(outline);
+  const OpeningAxis axis = opening_axis(outline);
+  const double right = std::fabs(axis.along[0]) * axis.length, down = std::fabs(axis.along[1]) * axis.length;
+  const auto margin_x = static_cast<int>(std::lround(margin_along * right + margin_across * down));
+  const auto margin_y = static_cast<int>(std::lround(margin_along * down + margin_across * right));
   OpeningSheet sheet;
+  sheet.light_px = light_step * axis.length;
   sheet.left = (static_cast<int>(box.left) - margin_x) / stride * stride;
   sheet.top = (static_cast<int>(box.top) - margin_y) / stride * stride;
   sheet.columns = (static_cast<int>(box.right) + margin_x - sheet.left) / stride + 1;
@@ -228,9 +265,11 @@ OpeningSheet opening_sheet(const Outline& outline) {
 
 OpeningLayers opening_layers(const Image& picture, const Outline& outline) {
   const Box box = box_of(outline);
-  const int left = std::max(static_cast<int>(box.left) - 8, 0), top = std::max(static_cast<int>(box.top) - 8, 0);
-  const int right = std::min(static_cast<int>(box.right) + 9, picture.width - 1);
-  const int bottom = std::min(static_cast<int>(box.bottom) + 9, picture.height - 1);
+  const auto reach = static_cast<int>(std::lround(reach_below * opening_axis(outline).length));
+  const int left = std::max(static_cast<int>(box.left) - blur_px, 0);
+  const int top = std::max(static_cast<int>(box.top) - blur_px, 0);
+  const int right = std::min(static_cast<int>(box.right) + blur_px + 1, picture.width - 1);
+  const int bottom = std::min(static_cast<int>(box.bottom) + blur_px + 1, picture.height - 1);
   const int width = right - left + 1;
   Image skin{picture.width, picture.height, 1, {}};
   for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
@@ -317,12 +356,12 @@ OpeningLayers opening_layers(const Image& picture, const Outline& outline) {
 OpeningScene::OpeningScene(const OpeningSheet& sheet, const OpeningLayers& layers)
     : sheet_(sheet),
       layers_(layers),
-      light_columns_(stride * sheet.columns / light_px + 2),
-      light_rows_(stride * sheet.rows / light_px + 2) {}
+      light_columns_(static_cast<int>(stride * sheet.columns / sheet.light_px) + 2),
+      light_rows_(static_cast<int>(stride * sheet.rows / sheet.light_px) + 2) {}
 
 std::array<std::pair<std::size_t, double>, 4> OpeningScene::light_at(const Place& place) const {
-  const double x = std::clamp((place[0] - sheet_.left) / light_px, 0.0, light_columns_ - 1.001);
-  const double y = std::clamp((place[1] - sheet_.top) / light_px, 0.0, light_rows_ - 1.001);
+  const double x = std::clamp((place[0] - sheet_.left) / sheet_.light_px, 0.0, light_columns_ - 1.001);
+  const double y = std::clamp((place[1] - sheet_.top) / sheet_.light_px, 0.0, light_rows_ - 1.001);
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   const double fx = x - column, fy = y - row;
   const auto first = static_cast<std::size_t>(row * light_columns_ + column);

@@ -22,6 +22,18 @@ struct Outline {
   double distance(const Place& place, Place* nearest = nullptr) const;
 };
 
+// An opening's own directions: along it, from corner to corner, to the right, and across it, downwards. Lengths about
+// an opening are shares of its own, so that they mean the same in a picture of any size.
+struct OpeningAxis {
+  Place middle{}, along = {1, 0};
+  double length = 0;  // pixels
+  // A place as x along and y across from the middle, and back.
+  Place own(const Place& place) const;
+  Place picture(const Place& own) const;
+};
+// By the second moments of the outline's corners.
+OpeningAxis opening_axis(const Outline& outline);
+
 // The skin about an opening in the reference's picture: a grid of vertices, every 2 pixels, and those where its lines
 // meet the outline. No triangle lies inside.
 struct OpeningSheet {
@@ -36,6 +48,7 @@ struct OpeningSheet {
   std::vector<Line> lines;
   std::vector<std::uint32_t> rim;  // the outermost vertices, in order about the sheet
   int left = 0, top = 0, columns = 0, rows = 0;
+  double light_px = 0;  // distance of the places where light is told
 };
 OpeningSheet opening_sheet(const Outline& outline);
 
@@ -50,7 +63,7 @@ OpeningLayers opening_layers(const Image& picture, const Outline& outline);
 struct OpeningPose {
   std::vector<Place> vertices;
   std::array<double, 6> eye_from_frame = {1, 0, 0, 1, 0, 0};  // x' = [0] x + [1] y + [4], y' = [2] x + [3] y + [5]
-  std::vector<double> light;  // logarithm of the frame's light over the reference's, gain_columns x gain_rows
+  std::vector<double> light;  // logarithm of the frame's light over the reference's, light_columns x light_rows
 };
 
 // What a frame shows of a pose, in a part of its picture.

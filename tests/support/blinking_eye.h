@@ -17,7 +17,7 @@
 namespace test {
 
 constexpr int eye_columns = 90, eye_rows = 80;
-constexpr double eye_x = 45, eye_y = 40, eye_half_width = 14, eye_half_height = 6, lid_px = 12;
+constexpr double eye_x = 45, eye_y = 40, eye_half_width = 14, eye_half_height = 6, lid_px = 8;
 
 // Half the height of an eye's opening in a column.
 inline double eye_opening(double x) {
