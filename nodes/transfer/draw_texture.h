@@ -11,7 +11,7 @@ namespace face::transfer {
 
 struct DrawTextureOptions {
   double least_area = 0.1;
-  std::int64_t edge_px = 1;
+  std::int64_t edge_px = 0;
 };
 
 struct DrawTextureResult {
@@ -28,9 +28,8 @@ struct DrawTextureResult {
 // Where most triangles keep less than least_area of the area that they have in the reference's picture, the surface is
 // hidden: the mesh, which is one sheet, has an eye between its lids also when they are shut. It is not drawn, nor are
 // the triangles beside it, whose pixels the reference shows mixed with it; what pixels they had are as those about
-// them. A pixel on the edge of a lip has teeth in it, of which the texture knows nothing: mask leaves out pixels fewer
-// than edge_px + 1 from what is not drawn (a pixel whose middle is on the face and a lens's blur reach no farther than
-// one), 0 = none.
+// them. A pixel on the edge of a lip has teeth in it, of which the texture knows nothing: to judge the rest alone, mask
+// leaves out pixels nearer than edge_px + 1 to what is not drawn (such a pixel and a lens's blur reach one).
 // Throws what check_texture throws.
 DrawTextureResult draw_texture(const Mesh& mesh, const DepthScan& reference, const MeshPoints& shape,
                                const DepthScan& frame, const DepthScan* seen = nullptr,

@@ -13,7 +13,7 @@ NODE("transfer.draw_texture", &draw_texture, version{5}, doc{"The reference's te
      param("least_area", &DrawTextureOptions::least_area, range{0.0, 1.0}, unit{"1"},
            "Triangles that keep less of their area in the reference are hidden; 0 = none"),
      param("edge_px", &DrawTextureOptions::edge_px, range{0, 100}, unit{"px"},
-           "So many pixels beside what is not drawn are not in the mask: they see it, too"),
+           "So many pixels beside what is not drawn are left out of the mask: they see it, too; 0 = none"),
      output("drawn", &DrawTextureResult::drawn, "The reference's texture as the frame's camera sees it"),
      output("picture", &DrawTextureResult::picture, "The frame's own picture"),
      output("mask", &DrawTextureResult::mask, "White where the face is drawn, and nothing else is seen"));
