@@ -11,6 +11,8 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/luma.h"
+#include "nodes/base/normal_harmonics.h"
+#include "nodes/base/quantile.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/base/srgb.h"
 
@@ -21,7 +23,8 @@ constexpr int reach_px = 2;  // the polynomials that smooth a row leave steps be
 constexpr std::size_t fewest_normals = 100;
 constexpr int rounds = 12;
 
-using Harmonics = Eigen::Matrix<double, 9, 1>;
+constexpr int terms = normal_harmonics_count;
+using Harmonics = Eigen::Matrix<double, terms, 1>;
 struct Lit {
   std::size_t pixel;
   Harmonics normal;
@@ -34,11 +37,8 @@ Eigen::Vector3d point_of(const DepthScan& scan, int x, int y, float depth_mm) {
           -(y - static_cast<double>(scan.camera.centre_y_px)) * per_px, -depth};
 }
 
-// Up to the second order, without their constants.
-Harmonics harmonics_of(const Eigen::Vector3d& n) {
-  Harmonics h;
-  h << 1, n[0], n[1], n[2], n[0] * n[1], n[0] * n[2], n[1] * n[2], n[0] * n[0] - n[1] * n[1], 3 * n[2] * n[2] - 1;
-  return h;
+Harmonics harmonics_of(const Eigen::Vector3d& normal) {
+  return Harmonics(normal_harmonics(normal[0], normal[1], normal[2]).data());
 }
 
 // Every pixel that has a normal: of measured pixels to either side, or of itself and one side.
@@ -74,12 +74,6 @@ std::vector<Lit> lit_pixels(const DepthScan& scan) {
   return lit;
 }
 
-double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 DepthScan even_light(const DepthScan& scan, const EvenLightOptions& options) {
@@ -89,13 +83,14 @@ DepthScan even_light(const DepthScan& scan, const EvenLightOptions& options) {
   if (lit.size() < fewest_normals) return result;
   std::vector<double> seen;
   for (const Lit& pixel : lit) seen.push_back(pixel.light);
-  const double middle = middle_of(seen);
+  const double middle = median(seen);
   if (!(middle > 0)) return result;
   Harmonics light = Harmonics::Zero();
   light[0] = middle;
   for (int round = 0; round < rounds; ++round) {
     // Held to what is about it where normals tell nothing: a plane has one.
-    Eigen::Matrix<double, 9, 9> sums = 1e-6 * static_cast<double>(lit.size()) * Eigen::Matrix<double, 9, 9>::Identity();
+    Eigen::Matrix<double, terms, terms> sums = Eigen::Matrix<double, terms, terms>::Identity();
+    sums *= 1e-6 * static_cast<double>(lit.size());
     Harmonics sides = Harmonics::Zero();
     for (const Lit& pixel : lit) {
       const double off = (pixel.light - light.dot(pixel.normal)) / (options.wild * middle);

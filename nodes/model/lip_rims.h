@@ -13,8 +13,8 @@ struct LipRims {
   // Of a local vertex: how far to go along the head's y, away from where the lips meet, to see the lip's own colour; 0
   // beyond the rims.
   std::vector<float> outwards_mm;
-  std::vector<float>
-      parted;  // of a local vertex: 0 = as near to the other lip as in the first picture, 1 = far from it
+  // Of a local vertex: 0 = as near to the other lip as in the first picture, 1 = far from it.
+  std::vector<float> parted;
 };
 
 // Knows the rims of a model's lips, and how far apart they are in the first picture.

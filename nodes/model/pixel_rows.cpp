@@ -50,11 +50,6 @@ void add_mode(const float* __restrict mode, std::size_t count, const Vec3f& weig
 
 }  // namespace
 
-std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera) {
-  const auto [x, y, z] = normal_in_camera;
-  return {1, x, y, z, x * y, x * z, y * z, x * x - y * y, 3 * z * z - 1};
-}
-
 FaceLight moved(const FaceLight& light, const double* step) {
   FaceLight result = light;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -372,9 +367,9 @@ PixelRows rows_at(const std::vector<SkinPoint>& points, const SkinBasis& basis, 
     const Mirrored mirrored = mirrored_at(at, view, is_mirrored && points[n].mirrors);
     const Shade shade = shade_at(at, mirrored, view);
     const CosineSlopes slopes = cosine_slopes(at, mirrored, triangle, posed, view);
+    const Eigen::Vector3d& facing = slopes.normal_in_camera;
     std::array<double, shading_parameters> shading{};
-    if (is_shaded)
-      shading = shading_at({slopes.normal_in_camera.x(), slopes.normal_in_camera.y(), slopes.normal_in_camera.z()});
+    if (is_shaded) shading = normal_harmonics(facing.x(), facing.y(), facing.z());
     double brighter = 0;
     for (std::size_t k = 0; k < shading_parameters; ++k) brighter += state.shading[k] * shading[k];
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "nodes/base/normal_harmonics.h"
 #include "nodes/base/random.h"
 #include "nodes/model/face_pose.h"
 #include "nodes/model/picture_level.h"
@@ -14,11 +15,9 @@
 
 namespace face::model {
 
-// What no light of one direction explains, highlights above all, changes slowly with the direction of the normal:
-// the spherical harmonics up to the second order of the normal in the camera's frame, added to all channels (as Basri
-// and Jacobs, Lambertian Reflectance and Linear Subspaces, PAMI 2003, use them for light from everywhere).
-inline constexpr std::size_t shading_parameters = 9;
-std::array<double, shading_parameters> shading_at(const std::array<double, 3>& normal_in_camera);
+// What no light of one direction explains, highlights above all, changes slowly with the direction of the normal: the
+// harmonics of the normal in the camera's frame, added to all channels.
+inline constexpr std::size_t shading_parameters = normal_harmonics_count;
 
 // Of what one picture depends on beside identity and albedo.
 struct PictureState {

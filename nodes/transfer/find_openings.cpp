@@ -15,6 +15,7 @@
 
 #include "nodes/base/check.h"
 #include "nodes/base/grey_spline.h"
+#include "nodes/base/quantile.h"
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/triangulate.h"
@@ -93,10 +94,7 @@ int edge_length_px(const Mesh& mesh, const Image& picture) {
     }
     shortest.push_back(least);
   }
-  if (shortest.empty()) return 1;
-  const auto middle = shortest.begin() + static_cast<std::ptrdiff_t>(shortest.size() / 2);
-  std::nth_element(shortest.begin(), middle, shortest.end());
-  return *middle > 1 ? static_cast<int>(std::lround(*middle)) : 1;
+  return static_cast<int>(std::lround(std::max(1.0, median(shortest))));
 }
 
 // Corners a pixel apart.
