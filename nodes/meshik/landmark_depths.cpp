@@ -42,8 +42,8 @@ std::optional<Eyes> eyes_of(const Rig& rig, const Places& places) {
 }
 
 // How the head of the landmarks is turned, if it is about as the rig; nobody knows without corners of the eyes.
-std::optional<HeadFacing> facing_by(const Rig& rig, const Landmarks& neutral, const Places& places) {
-  const std::optional<Eyes> eyes = eyes_of(rig, places);
+std::optional<HeadFacing> facing_by(const Rig& rig, const Landmarks& neutral, const Places& places,
+                                    const std::optional<Eyes>& eyes) {
   if (!eyes || eyes->apart_mm == 0) return std::nullopt;
   const auto below = [&](const LandmarkVertex& place) {
     return (eyes->height_mm - static_cast<double>(rig.neutral.points_mm[place.vertex][1])) / eyes->apart_mm;
@@ -70,8 +70,9 @@ Matrix landmark_depths(const Rig& rig, const Landmarks& neutral) {
     check(place.vertex < rig.neutral.points_mm.size(), "a landmark is vertex ", place.vertex, ", expected one below ",
           rig.neutral.points_mm.size());
   const double scale_mm = landmark_scale_mm(rig, neutral, places);
-  const std::optional<HeadFacing> facing = facing_by(rig, neutral, places);
-  const double eyes_depth_px = facing ? eyes_of(rig, places)->depth_mm / scale_mm : 0;
+  const std::optional<Eyes> eyes = eyes_of(rig, places);
+  const std::optional<HeadFacing> facing = facing_by(rig, neutral, places, eyes);
+  const double eyes_depth_px = facing ? eyes->depth_mm / scale_mm : 0;
   const auto depth = [&](const LandmarkVertex& place) {
     const double front_px = static_cast<double>(rig.neutral.points_mm[place.vertex][2]) / scale_mm;
     if (!facing) return front_px;

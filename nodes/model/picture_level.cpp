@@ -42,22 +42,47 @@ PictureLevel make_level(const Image& picture, double factor, double exposure) {
   return make_level(float_picture(picture, exposure), factor);
 }
 
+namespace {
+
+// The pixel above and to the left of a place, and how far the place is from it.
+struct Between {
+  Between(const PictureLevel& level, double x_px, double y_px) {
+    const double x = std::clamp(x_px, 0.0, level.width - 1.001), y = std::clamp(y_px, 0.0, level.height - 1.001);
+    x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+    fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  }
+  // Of the values of that pixel, its right neighbour, and the two below.
+  float operator()(float a, float b, float c, float d) const {
+    return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d);
+  }
+  int x0, y0;
+  float fx, fy;
+};
+
+}  // namespace
+
+Vec3f colour_at(const PictureLevel& level, double x_px, double y_px) {
+  const Between between(level, x_px, y_px);
+  const Vec3f* const here = level.colours.data() +
+                            static_cast<std::size_t>(between.y0) * static_cast<std::size_t>(level.width) +
+                            static_cast<std::size_t>(between.x0);
+  const Vec3f* const below = here + level.width;
+  Vec3f colour;
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = between(here[0][c], here[1][c], below[0][c], below[1][c]);
+  return colour;
+}
+
 std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px) {
-  const double x = std::clamp(x_px, 0.0, level.width - 1.001), y = std::clamp(y_px, 0.0, level.height - 1.001);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  const Between between(level, x_px, y_px);
   // What is read: 4 x 4 pixels but for their corners.
   std::array<std::array<const Vec3f*, 4>, 4> around;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
-      const auto px = static_cast<std::size_t>(std::clamp(x0 + column - 1, 0, level.width - 1)),
-                 py = static_cast<std::size_t>(std::clamp(y0 + row - 1, 0, level.height - 1));
+      const auto px = static_cast<std::size_t>(std::clamp(between.x0 + column - 1, 0, level.width - 1)),
+                 py = static_cast<std::size_t>(std::clamp(between.y0 + row - 1, 0, level.height - 1));
       around[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
           level.colours.data() + py * static_cast<std::size_t>(level.width) + px;
     }
-  const auto between = [&](float a, float b, float c, float d) {
-    return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d);
-  };
   const auto& [above, here, below, last] = around;
   std::array<float, 9> result;
   for (std::size_t c = 0; c < 3; ++c) {

@@ -26,6 +26,9 @@ FloatPicture float_picture(const Image& picture, double exposure = 1);
 PictureLevel make_level(const FloatPicture& picture, double factor);
 PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
 
+// R G B between the pixels; what lies outside is as at the edge.
+Vec3f colour_at(const PictureLevel& level, double x_px, double y_px);
+
 // R G B between the pixels, then d/dx of them, then d/dy by central differences; what lies outside is as at the edge.
 std::array<float, 9> sample_at(const PictureLevel& level, double x_px, double y_px);
 

@@ -54,7 +54,7 @@ std::optional<Vec3f> reflectance_at(const StartView& view, const Seen& seen,
   const float inverse = raster.inverse_depth_per_mm[raster.index(static_cast<int>(px), static_cast<int>(py))];
   if (inverse > 0 && depth > 1.0 / static_cast<double>(inverse) + depth_slack_mm / view.level.factor)
     return std::nullopt;
-  const std::array<float, 9> shown = sample_at(view.level, x, y);
+  const Vec3f shown = colour_at(view.level, x, y);
   const std::array<double, 3> lit = lit_of(state.light, {shown[0], shown[1], shown[2]});
   const double cosine = share * static_cast<double>(render::dot(normal, seen.towards));
   double mirrored = 0;

@@ -15,7 +15,7 @@ struct DrawOpeningsOptions {
 
 // Draws openings that lids shut as layers where one sheet of triangles cannot: skin with a hole, and the eye behind it,
 // in the reference's texture on a frame. Where a frame's mesh keeps less than least_open of an opening's area, the
-// layers are fitted to the frame (fit_opening), from where the mesh has them and from lids that are shut by eleven
+// layers are fitted to the frame (fit_opening), from where the mesh has them and from lids that are shut by thirteen
 // shares, the two that look best; lids move across the opening. They are drawn where they differ from the frame,
 // squared, by less than least_gain of what the mesh does.
 // drawn: of draw_texture, and what is returned elsewhere. reference, frame: as the shape was learned from them;

@@ -17,7 +17,7 @@ struct DrawTextureOptions {
 struct DrawTextureResult {
   Image drawn;    // grey, as large as the frame's picture; 0 where nothing is drawn
   Image picture;  // the frame's own, grey
-  Image mask;     // 255 where the face is drawn, and nothing else is seen
+  Image mask;     // 255 where the face is drawn, but for edges of edge_px
 };
 
 // The reference's texture on a frame: the mesh with a frame's shape as that frame's camera sees it, every pixel in the

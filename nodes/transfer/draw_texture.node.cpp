@@ -16,4 +16,4 @@ NODE("transfer.draw_texture", &draw_texture, version{5}, doc{"The reference's te
            "So many pixels beside what is not drawn are left out of the mask: they see it, too; 0 = none"),
      output("drawn", &DrawTextureResult::drawn, "The reference's texture as the frame's camera sees it"),
      output("picture", &DrawTextureResult::picture, "The frame's own picture"),
-     output("mask", &DrawTextureResult::mask, "White where the face is drawn, and nothing else is seen"));
+     output("mask", &DrawTextureResult::mask, "White where the face is drawn, but for edges of edge_px"));

@@ -72,6 +72,18 @@ struct World {
   }
 };
 
+TEST(PictureLevel, ColoursAreTheFirstOfItsSamplesAndTheEdgeGoesOn) {
+  Image picture = test::blank(40, 30);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = static_cast<std::uint8_t>(i * i % 251);
+  const PictureLevel level = make_level(picture, 0.7);
+  const std::array<float, 3> corner = colour_at(level, 0, 0);
+  EXPECT_EQ(colour_at(level, -7, -3), corner);
+  for (const std::array<double, 2>& at : {std::array{0.0, 0.0}, {3.2, 17.9}, {26.8, 19.4}, {90.0, 5.5}}) {
+    const std::array<float, 9> samples = sample_at(level, at[0], at[1]);
+    EXPECT_EQ(colour_at(level, at[0], at[1]), (std::array{samples[0], samples[1], samples[2]})) << at[0];
+  }
+}
+
 TEST(PixelRows, HasTheDerivativesThatDifferencesHave) {
   const World world;
   const PixelRows rows = world.rows();
