@@ -74,8 +74,8 @@ struct CacheArguments {
 };
 int cache(const Common& common, const CacheArguments& arguments);
 
-// Commands that plugins ship as data: graphs in a folder `commands` beside the libraries, NAME.json run by `facegraph NAME`
-// with the graph's parameters as options.
+// Commands that plugins ship as data: graphs in a folder `commands` beside the libraries, NAME.json run by `facegraph
+// NAME` with the graph's parameters as options.
 struct PluginCommand {
   std::string name;
   std::string path;  // of the graph
