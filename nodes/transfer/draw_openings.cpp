@@ -19,7 +19,7 @@
 #include "nodes/render/camera.h"
 #include "nodes/transfer/draw_texture.h"
 #include "nodes/transfer/fit_opening.h"
-#include "nodes/transfer/opening_sheet.h"
+#include "nodes/transfer/opening_scene.h"
 
 namespace face::transfer {
 namespace {

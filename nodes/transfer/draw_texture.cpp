@@ -13,6 +13,7 @@
 #include "nodes/base/scan_points.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/triangulate.h"
+#include "nodes/transfer/squeezed_triangles.h"
 
 namespace face::transfer {
 namespace {
@@ -23,39 +24,16 @@ double grey_of(const Image& picture, int x, int y) {
   return grey_value<double>(p, picture.channels);
 }
 
-// Triangles whose surface is hidden: most of those about them keep less than a share of the area that they have in the
-// reference's picture, or are turned over. And those beside them: a pixel sees an area, so that the edge of what hides
+// Triangles that are squeezed to nothing, and those beside them: a pixel sees an area, so that the edge of what hides
 // has in the reference some of the colour of what it hides in the frame.
 std::vector<bool> hidden_triangles(const std::vector<render::Triangle>& triangles, const Mesh& mesh,
                                    const Image& picture, const std::vector<render::ScreenPoint>& screen,
                                    double least_area) {
-  const auto twice_area = [](const render::Triangle& t, const auto& place) {
-    const auto a = place(t[0]), b = place(t[1]), c = place(t[2]);
-    return static_cast<double>((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-  };
-  const auto before = [&](std::uint32_t v) {
-    return Vec2f{mesh.uvs[v][0] * static_cast<float>(picture.width),
-                 -mesh.uvs[v][1] * static_cast<float>(picture.height)};
-  };
-  const auto now = [&](std::uint32_t v) { return Vec2f{screen[v].x_px, screen[v].y_px}; };
-  std::vector<double> share;
-  for (const render::Triangle& t : triangles)
-    share.push_back(twice_area(t, now) / twice_area(t, before) >= least_area ? 0 : 1);
-  for (int ring = 0; ring < 2; ++ring) {
-    std::vector<double> sum(screen.size(), 0), count(screen.size(), 0);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      for (const std::uint32_t v : triangles[i]) {
-        sum[v] += share[i];
-        ++count[v];
-      }
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      share[i] = 0;
-      for (const std::uint32_t v : triangles[i]) share[i] += sum[v] / count[v] / 3;
-    }
-  }
+  const std::vector<bool> squeezed =
+      squeezed_triangles(triangles, places_in_picture(mesh, picture), screen, least_area);
   std::vector<bool> touched(screen.size(), false), hidden;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (share[i] > 0.5)
+    if (squeezed[i])
       for (const std::uint32_t v : triangles[i]) touched[v] = true;
   for (const render::Triangle& t : triangles) hidden.push_back(touched[t[0]] || touched[t[1]] || touched[t[2]]);
   return hidden;

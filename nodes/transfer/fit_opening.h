@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "nodes/transfer/opening_sheet.h"
+#include "nodes/transfer/opening_scene.h"
 
 namespace face::transfer {
 

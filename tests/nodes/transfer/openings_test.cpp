@@ -11,7 +11,7 @@
 #include "nodes/transfer/draw_openings.h"
 #include "nodes/transfer/draw_texture.h"
 #include "nodes/transfer/find_openings.h"
-#include "nodes/transfer/opening_sheet.h"
+#include "nodes/transfer/opening_scene.h"
 #include "nodes/transfer/pixel_parts.h"
 #include "tests/support/blinking_eye.h"
 #include "tests/support/expect_throw_text.h"
