@@ -79,7 +79,7 @@ Vec3f bounced_light(float area_mm2) {
   constexpr float walls_mm2 = 21500;
   constexpr Vec3f reflectance = {0.46f, 0.17f, 0.14f};  // of wet, red tissue
   constexpr Vec3f through_cheeks = {0.060f, 0.013f, 0.010f};
-  constexpr float gain = 3.5f;  // as above
+  constexpr float gain = 3.5f;  // the eye adapts
   Vec3f light;
   for (std::size_t c = 0; c < 3; ++c)
     light[c] = through_cheeks[c] + gain * area_mm2 / walls_mm2 * reflectance[c] / (1 - reflectance[c]);
@@ -88,8 +88,7 @@ Vec3f bounced_light(float area_mm2) {
 
 }  // namespace
 
-MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm) {
-  constexpr float gain = 1.7f;  // the eye expects to see the teeth, and adapts
+MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm, float gain) {
   constexpr float darkest = 0.015f;
   constexpr float out_mm = 3;  // so far before the opening it is as light as outside
   MouthLight light;

@@ -7,6 +7,9 @@
 
 namespace face::render {
 
+// The eye expects to see the teeth, and adapts; a photograph does not.
+inline constexpr float eyes_gain = 1.7f, photographs_gain = 1;
+
 // The light inside the mouth: the parts named after mouth, gums, tongue or teeth.
 struct MouthLight {
   std::vector<bool> inside;      // V
@@ -22,6 +25,7 @@ struct MouthLight {
 // Area of the Adult Human Mouth, 1987). Lips have depth, so A is taken as less the lower the opening is. It is the
 // polygon of landmarks 60-67 or spanned by the pairs of Rig::inner_lips, less the same in the neutral, whose mouth is
 // closed; with neither it counts as 35 x 20 mm in front of the part.
-MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm);
+// gain: of that form factor.
+MouthLight mouth_light(const Rig& rig, const std::vector<Vec3f>& points_mm, float gain = eyes_gain);
 
 }  // namespace face::render

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "nodes/base/check.h"
 #include "nodes/model/light_model.h"
@@ -13,9 +11,9 @@
 #include "nodes/model/skin_modes.h"
 #include "nodes/render/camera.h"
 #include "nodes/render/mouth_light.h"
-#include "nodes/render/rgb_image.h"
-#include "nodes/texture/follow_face.h"
+#include "nodes/texture/mouth_white.h"
 #include "nodes/texture/posed_face.h"
+#include "nodes/texture/texel_colour.h"
 
 namespace face::texture {
 namespace {
@@ -23,10 +21,7 @@ namespace {
 // Where drawing fades, mm: below the eyes, above the neck, in front of the ears.
 constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 2, chin_fade_mm = 12, ears_fade_mm = 22;
 
-constexpr double revealed_mm = 5;           // width of a place where the face is no more, from which it is uncovered
-constexpr double revealed_margin_mm = 1.5;  // by which it is widened: a fit is never exact
-constexpr double over_skin = 0.95;          // of teeth over skin, sRGB values: two GRID speakers' come to 0.85 to 1.0
-constexpr double full_albedo = 0.75;        // of what looks like that in full light: teeth
+constexpr double full_albedo = 0.75;  // of what looks like that in full light: teeth
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -37,48 +32,6 @@ bool in_mouth(const std::string& part) {
   for (const char* word : {"mouth", "gum", "tongue", "teeth"})
     if (part.find(word) != std::string::npos) return true;
   return false;
-}
-
-Vec3f texel(const AlbedoMap& map, float x, float y) {
-  x = std::clamp(x, 0.0f, static_cast<float>(map.width) - 1.001f);
-  y = std::clamp(y, 0.0f, static_cast<float>(map.height) - 1.001f);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-  Vec3f sum{};
-  float weight = 0;
-  for (int dy = 0; dy < 2; ++dy)
-    for (int dx = 0; dx < 2; ++dx) {
-      const Vec3f& value = map.albedo[static_cast<std::size_t>(y0 + dy) * static_cast<std::size_t>(map.width) +
-                                      static_cast<std::size_t>(x0 + dx)];
-      const float share = (dx == 1 ? fx : 1 - fx) * (dy == 1 ? fy : 1 - fy);
-      if (value[0] <= 0) continue;  // outside the atlas
-      weight += share;
-      for (std::size_t c = 0; c < 3; ++c) sum[c] += share * value[c];
-    }
-  if (weight > 0)
-    for (float& v : sum) v /= weight;
-  return sum;
-}
-
-// What something white in the mouth looks like in the picture: about as bright as the skin is there on average, half
-// its colour. Not by way of the light: a fit cannot tell a lighter skin from a stronger light, and teeth have no colour
-// of their own in the picture to go by.
-std::array<double, 3> white_shown(const AlbedoMap& map, const model::SkinAtlas& atlas, const FaceLight& light) {
-  std::array<double, 3> skin = {0, 0, 0};
-  double count = 0;
-  for (std::size_t t = 0; t < atlas.triangles.size(); t += 7) {
-    const Vec2f& uv = atlas.uvs[atlas.corners[t][0]];
-    const Vec3f colour =
-        texel(map, uv[0] * static_cast<float>(map.width) - 0.5f, (1 - uv[1]) * static_cast<float>(map.height) - 0.5f);
-    ++count;
-    for (std::size_t c = 0; c < 3; ++c) skin[c] += colour[c] * model::light_at(light, c, 0.5);
-  }
-  for (double& value : skin) value /= std::max(1.0, count);
-  std::array<double, 3> white = model::shown(light, skin);
-  double grey = 0;
-  for (std::size_t c = 0; c < 3; ++c) grey += model::luma[c] * white[c];
-  for (double& value : white) value = std::clamp(over_skin * 0.5 * (value + grey), 0.0, 1.0);
-  return white;
 }
 
 // How much of a vertex's motion the picture beside the face follows: all at the mouth and below, nothing above the
@@ -132,11 +85,11 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   const std::vector<render::Triangle> corners = model::uv_corners(mesh, face.solid);
   const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
   const std::vector<Vec3f> own = model::vertex_albedo(mesh);
-  const render::MouthLight mouth = render::mouth_light(person, points_mm);
+  const render::MouthLight mouth = render::mouth_light(person, points_mm, render::photographs_gain);
   std::vector<char> mouth_part(mesh.parts.size());
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) mouth_part[p] = in_mouth(mesh.parts[p].name);
 
-  const std::array<double, 3> white = white_shown(albedo, atlas, fit.light);
+  const MouthWhite white = mouth_white(person, albedo, atlas, face, fit.light);
   FaceLayer layer;
   layer.width = fit.image_width_px;
   layer.height = fit.image_height_px;
@@ -144,9 +97,10 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   layer.colour.assign(pixels, Vec3f{0, 0, 0});
   layer.alpha.assign(pixels, 0.0f);
   layer.cover.assign(pixels, 0.0f);
+  layer.mouth_colour.assign(pixels, Vec3f{0, 0, 0});
+  layer.mouth.assign(pixels, 0.0f);
   layer.shift_px.assign(pixels, Vec2f{0, 0});
   const float part_of_pixel = 1.0f / static_cast<float>(samples * samples);
-  const auto width = static_cast<float>(albedo.width), height = static_cast<float>(albedo.height);
   for (int y = 0; y < face.raster.height_px; ++y)
     for (int x = 0; x < face.raster.width_px; ++x) {
       const std::int32_t found = face.raster.triangles[face.raster.index(x, y)];
@@ -180,48 +134,27 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
           u += b[i] * atlas.uvs[corners[t][i]][0];
           v += b[i] * atlas.uvs[corners[t][i]][1];
         }
-        colour = texel(albedo, u * width - 0.5f, (1 - v) * height - 0.5f);
+        colour = colour_at(albedo, {u, v});
       }
       std::array<double, 3> lit{}, value{};
       for (std::size_t c = 0; c < 3; ++c) lit[c] = model::light_at(fit.light, c, parallel) * colour[c];
       if (!is_mouth) value = model::shown(fit.light, lit);
       for (std::size_t c = 0; is_mouth && c < 3; ++c) {
-        const double arrives = std::min(1.0, exposure + (1.0 - exposure) * mouth.bounced[c]);
-        value[c] = white[c] * srgb_of(arrives * colour[c]) / srgb_of(full_albedo);
+        const double arrives =
+            std::min(1.0, exposure + white.parallel * parallel + (1.0 - exposure) * mouth.bounced[c]);
+        value[c] = white.colour[c] * srgb_of(arrives * colour[c]) / srgb_of(full_albedo);
       }
       layer.alpha[pixel] += drawn * part_of_pixel;
       for (std::size_t k = 0; k < 2; ++k)
         layer.shift_px[pixel][k] += drawn * part_of_pixel * shift[k] / static_cast<float>(samples);
-      for (std::size_t c = 0; c < 3; ++c)
-        layer.colour[pixel][c] += drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));
+      if (is_mouth) layer.mouth[pixel] += part_of_pixel;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float shown = drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));
+        layer.colour[pixel][c] += shown;
+        if (is_mouth) layer.mouth_colour[pixel][c] += shown;
+      }
     }
   return layer;
-}
-
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask, double scale) {
-  const Image front = follow_face(layer, picture, mask, scale), back = render::rgb_image(background);
-  check(back.width == layer.width && back.height == layer.height, "the background is ", back.width, " x ", back.height,
-        " pixels, expected ", layer.width, " x ", layer.height);
-  // Where a face was and is no more, by more than a thin line, which follow_face takes care of; widened by the margin.
-  cv::Mat revealed(layer.height, layer.width, CV_8U), soft;
-  for (std::size_t i = 0; i < layer.cover.size(); ++i)
-    revealed.data[i] = mask.pixels[i] > 127 && layer.cover[i] < 0.5f ? 255 : 0;
-  const int line = std::max(2, static_cast<int>(std::lround(revealed_mm * scale)));
-  cv::morphologyEx(revealed, revealed, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {line, line}));
-  const int margin = std::max(1, static_cast<int>(std::lround(revealed_margin_mm * scale)));
-  cv::dilate(revealed, revealed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}));
-  cv::GaussianBlur(revealed, soft, {0, 0}, 0.7);
-  Image result = front;
-  for (std::size_t i = 0; i < layer.alpha.size(); ++i) {
-    const float kept = std::max(0.0f, layer.cover[i] - layer.alpha[i]), open = std::max(0.0f, 1 - layer.cover[i]);
-    const float shown = open * static_cast<float>(soft.data[i]) / 255.0f;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float value = 255.0f * layer.colour[i][c] + (kept + open - shown) * front.pixels[3 * i + c] +
-                          shown * back.pixels[3 * i + c];
-      result.pixels[3 * i + c] = static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
-    }
-  }
-  return result;
 }
 
 }  // namespace face::texture

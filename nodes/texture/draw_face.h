@@ -4,7 +4,6 @@
 
 #include "nodes/types/albedo_map.h"
 #include "nodes/types/face_fit.h"
-#include "nodes/types/image.h"
 #include "nodes/types/rig.h"
 
 namespace face::texture {
@@ -12,10 +11,12 @@ namespace face::texture {
 // A face drawn with a fit's camera and light, to be laid over its picture.
 struct FaceLayer {
   int width = 0, height = 0;
-  std::vector<Vec3f> colour;    // height x width, sRGB in [0, 1], times alpha
-  std::vector<float> alpha;     // how much the drawn face replaces the picture
-  std::vector<float> cover;     // how much of the pixel is face, whether drawn or left
-  std::vector<Vec2f> shift_px;  // how far what is drawn there has moved, times alpha; 0 above the mouth
+  std::vector<Vec3f> colour;        // height x width, sRGB in [0, 1], times alpha
+  std::vector<float> alpha;         // how much the drawn face replaces the picture
+  std::vector<float> cover;         // how much of the pixel is face, whether drawn or left
+  std::vector<Vec3f> mouth_colour;  // of colour, what lies inside the mouth
+  std::vector<float> mouth;         // of alpha, the same
+  std::vector<Vec2f> shift_px;      // how far what is drawn there has moved, times alpha; 0 above the mouth
 };
 
 // How much of a vertex is drawn anew: 1 from the cheeks to the chin and inside the mouth; 0 at the eyes and above, at
@@ -28,9 +29,5 @@ std::vector<float> drawn_share(const Rig& person);
 // and axis.
 FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm,
                     const std::vector<Vec3f>& was_mm, const FaceFit& fit, int samples);
-
-// The layer over the picture, which moves with it (follow_face.h); where a face was by the mask (grey) and is no more,
-// the background. scale: pixels per mm of the face.
-Image lay_over(const FaceLayer& layer, const Image& picture, const Image& background, const Image& mask, double scale);
 
 }  // namespace face::texture

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "nodes/base/check.h"
 #include "nodes/base/quantile.h"
@@ -11,6 +12,7 @@
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/render/rgb_image.h"
+#include "nodes/render/shade.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/fill_ratio.h"
 #include "nodes/texture/posed_face.h"
@@ -28,6 +30,10 @@ constexpr double teeth_mm = 6,
                  lips_mm = 10;            // from the rim, as far as a fit that is off may paint teeth; where lips are
 constexpr double pale = 0.2, dark = 0.5;  // logarithms: less red than lips, less bright, from which it is none
 constexpr float far_mm = 1e3;
+// By how much an expression turns the skin, degrees, from which it lies in a fold: its shadow is no colour of the skin;
+// and from which nothing of it is read.
+constexpr double fold_deg = 12, deep_fold_deg = 24;
+constexpr float beside_fold_mm = 4;   // a fit is never exact: as far beside folds nothing is read either
 constexpr float sure_weight = 0.12f;  // from which a texel is the picture's alone
 
 // How many pixels every skin pixel is from one that shows something else, at most 3: no skin, or skin far behind or in
@@ -90,6 +96,36 @@ std::vector<float> from_rim(const MorphableModel& model, const FaceFit& fit) {
   return distance_mm;
 }
 
+// How much of every vertex's colour may be read: 1 where the expression leaves the skin as it lies at rest, 0 in folds.
+// Lips turn without folding. from_rim_mm: of from_rim.
+std::vector<float> outside_folds(const MorphableModel& model, const FaceFit& fit, const PosedFace& face,
+                                 const std::vector<float>& from_rim_mm) {
+  const std::vector<Vec3f> rest =
+      render::vertex_normals(model::pose_model(model, fit.identity, {}), face.solid.triangles);
+  std::vector<float> share(rest.size());
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (from_rim_mm[v] < lips_mm) {
+      share[v] = 1;
+      continue;
+    }
+    const double cosine = std::clamp(
+        static_cast<double>(render::dot(render::normalized(rest[v]), render::normalized(face.normals[v]))), -1.0, 1.0);
+    const double turn_deg = std::acos(cosine) * 180 / std::numbers::pi;
+    share[v] = static_cast<float>(std::clamp((deep_fold_deg - turn_deg) / (deep_fold_deg - fold_deg), 0.0, 1.0));
+  }
+  const std::vector<Vec3f>& points = model.mean.points_mm;
+  std::vector<float> spread = share;
+  for (std::size_t v = 0; v < share.size(); ++v) {
+    if (share[v] >= 1) continue;
+    for (std::size_t w = 0; w < share.size(); ++w) {
+      if (spread[w] <= share[v] || from_rim_mm[w] < lips_mm) continue;
+      const Vec3f apart = {points[v][0] - points[w][0], points[v][1] - points[w][1], points[v][2] - points[w][2]};
+      if (render::dot(apart, apart) < beside_fold_mm * beside_fold_mm) spread[w] = share[v];
+    }
+  }
+  return spread;
+}
+
 // Of a texel read as `albedo` where the model has `estimate`: how much redder and how much brighter it is, logarithms.
 std::array<double, 2> unlike(const Vec3f& albedo, const Vec3f& estimate) {
   const auto ratio = [&](std::size_t c) { return std::log(static_cast<double>(albedo[c]) / estimate[c]); };
@@ -112,9 +148,11 @@ void distrust_teeth(const std::vector<float>& from_lips_mm, const std::vector<Ve
     if (map.weight[i] <= 0 || from_lips_mm[i] > lips_mm) continue;
     const auto [red, bright] = unlike(map.albedo[i], estimate[i]);
     const double paler = std::max(0.0, red_lips - red) / pale, darker = std::max(0.0, bright_lips - bright) / dark;
-    const double odd = std::pow(paler, 4) + std::pow(darker, 4);
     const double near_rim = std::clamp((lips_mm - from_lips_mm[i]) / (lips_mm - teeth_mm), 0.0, 1.0);
-    map.weight[i] *= static_cast<float>(1 - near_rim * odd / (1 + odd));
+    const double pale_odd = std::pow(paler, 4), dark_odd = std::pow(darker, 4);
+    map.weight[i] *= static_cast<float>(1 - near_rim * pale_odd / (1 + pale_odd));
+    // To a high power: where gaps are filled, many texels that are trusted a little add up to certainty.
+    map.weight[i] *= static_cast<float>(std::pow(1 + dark_odd, -4 * near_rim));
   }
 }
 
@@ -144,7 +182,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   const Image rgb = render::rgb_image(picture);
   const PosedFace face = pose_face(model.mean, model::pose_model(model, fit.identity, fit.expression), fit, 1);
   const std::vector<Vec3f> model_albedo = model::albedo_of(model, fit.albedo);
-  const std::vector<float> rim = from_rim(model, fit);
+  const std::vector<float> rim = from_rim(model, fit), flat = outside_folds(model, fit, face, rim);
   const std::vector<std::uint8_t> to_edge = pixels_to_edge(face, 1 / face_scale_px(fit));
   const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
   AlbedoMap map;
@@ -163,7 +201,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       const auto& triangle = atlas.triangles[static_cast<std::size_t>(texels.raster.triangles[texel])];
       const Vec3f b = texels.weights_at(atlas, x, y);
       Vec3f point{}, normal{}, own{};
-      float from_lips = 0;
+      float from_lips = 0, flatness = 0;
       double parallel = 0, sx = 0, sy = 0, depth = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle[i];
@@ -174,6 +212,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
         }
         parallel += static_cast<double>(b[i]) * face.parallel[v];
         from_lips += b[i] * rim[v];
+        flatness += b[i] * flat[v];
         sx += static_cast<double>(b[i]) * face.screen[v].x_px;
         sy += static_cast<double>(b[i]) * face.screen[v].y_px;
         depth += static_cast<double>(b[i]) * face.screen[v].depth_mm;
@@ -196,7 +235,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       const double facing = dot / std::sqrt(length * normal_length);
       if (facing <= 0 || trusted <= 0) continue;
       const std::array<double, 3> lit = model::lit_of(fit.light, bilinear(rgb, sx, sy));
-      double weight = trusted * facing * facing * (to_edge[pixel] == 2 ? 0.4 : 1.0);
+      double weight = trusted * flatness * facing * facing * (to_edge[pixel] == 2 ? 0.4 : 1.0);
       for (std::size_t c = 0; c < 3; ++c) {
         const double strength = model::light_at(fit.light, c, parallel);
         weight *= std::clamp(strength / darkest_light - 1.0, 0.0, 1.0);

@@ -10,6 +10,7 @@
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
 #include "nodes/texture/face_mask.h"
+#include "nodes/texture/lay_over.h"
 
 namespace face::texture {
 
@@ -34,7 +35,9 @@ Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap&
     const float share = 1.0f / static_cast<float>(options.moments);
     if (m == 0) {
       sum = layer;
-      for (Vec3f& c : sum.colour) c = {0, 0, 0};
+      std::fill(sum.colour.begin(), sum.colour.end(), Vec3f{0, 0, 0});
+      std::fill(sum.mouth_colour.begin(), sum.mouth_colour.end(), Vec3f{0, 0, 0});
+      std::fill(sum.mouth.begin(), sum.mouth.end(), 0.0f);
       std::fill(sum.alpha.begin(), sum.alpha.end(), 0.0f);
       std::fill(sum.cover.begin(), sum.cover.end(), 0.0f);
       for (Vec2f& shift : sum.shift_px) shift = {0, 0};
@@ -43,7 +46,11 @@ Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap&
       sum.alpha[i] += share * layer.alpha[i];
       sum.cover[i] += share * layer.cover[i];
       for (std::size_t k = 0; k < 2; ++k) sum.shift_px[i][k] += share * layer.shift_px[i][k];
-      for (std::size_t c = 0; c < 3; ++c) sum.colour[i][c] += share * layer.colour[i][c];
+      sum.mouth[i] += share * layer.mouth[i];
+      for (std::size_t c = 0; c < 3; ++c) {
+        sum.colour[i][c] += share * layer.colour[i][c];
+        sum.mouth_colour[i][c] += share * layer.mouth_colour[i][c];
+      }
     }
   }
   return lay_over(sum, frame, background, mask, face_scale_px(fit));

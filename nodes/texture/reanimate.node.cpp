@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::texture;
 
-NODE("texture.reanimate", &reanimate, version{1},
+NODE("texture.reanimate", &reanimate, version{2},
      doc{"Puts a face back into the frames of its video with another mouth, blurred by its motion."},
      input{"model", "The morphable model of the fits"}, input{"person", "The person of texture.neutralise"},
      input{"albedo", "The face's colours"}, input{"fit", "The fit of each frame"}, input{"frame", "The video's frames"},

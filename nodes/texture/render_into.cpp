@@ -6,6 +6,7 @@
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/draw_face.h"
 #include "nodes/texture/face_mask.h"
+#include "nodes/texture/lay_over.h"
 
 namespace face::texture {
 

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::texture;
 
-NODE("texture.render_into", &render_into, version{1},
+NODE("texture.render_into", &render_into, version{2},
      doc{"Puts a face back into its picture with another mouth, under the light that was found."},
      input{"model", "The morphable model of the fit"}, input{"person", "The person of texture.neutralise"},
      input{"albedo", "The face's colours"}, input{"fit", "The fit"}, input{"picture", "The picture"},

@@ -8,6 +8,7 @@
 #include "nodes/base/pose.h"
 #include "nodes/model/face_pose.h"
 #include "nodes/model/fit_image.h"
+#include "nodes/model/light_model.h"
 #include "nodes/model/pose_model.h"
 #include "nodes/model/skin_atlas.h"
 #include "nodes/model/track_video.h"
@@ -19,138 +20,19 @@
 #include "nodes/texture/face_mask.h"
 #include "nodes/texture/fill_ratio.h"
 #include "nodes/texture/follow_face.h"
+#include "nodes/texture/lay_over.h"
 #include "nodes/texture/neutralise.h"
 #include "nodes/texture/reanimate.h"
 #include "nodes/texture/render_into.h"
 #include "nodes/texture/reveal_background.h"
-#include "tests/nodes/model/material.h"
+#include "tests/nodes/texture/drawn_face.h"
 #include "tests/support/expect_throw_text.h"
 
 using namespace face;
 using namespace face::texture;
+using namespace test;
 
 namespace {
-
-// A fit that is the truth: the mean head before a camera, turned by yaw.
-FaceFit true_fit(double yaw_deg) {
-  const test::Scene scene = test::make_scene(yaw_deg, 320, 320);
-  FaceFit fit;
-  const Vec3f centre = model::turning_point(test::head_model());
-  model::FacePose pose = model::pose_of(scene.camera, {0, 0, 0});
-  for (std::size_t i = 0; i < 9; ++i) pose.rotation[i] = scene.world_from_head.rotation[i];
-  fit.camera = model::camera_of(pose);
-  (void)centre;
-  fit.image_width_px = fit.image_height_px = 320;
-  fit.identity.assign(test::head_model().identity.size(), 0.0f);
-  fit.albedo.assign(test::head_model().albedo.size(), 0.0f);
-  fit.expression.assign(test::head_model().expression.size(), 0.0f);
-  fit.light.ambient = {0.5f, 0.45f, 0.4f};
-  fit.light.parallel = {0.6f, 0.6f, 0.6f};
-  fit.light.direction = {0.3f, 0.3f, 0.9055f};
-  fit.light.contrast = 0.95f;
-  fit.light.offset = {0.01f, 0.01f, 0.02f};
-  fit.converged = true;
-  return fit;
-}
-
-Weights rest() {
-  Weights weights;
-  weights.values.assign(test::head().shapes.size(), 0.0f);
-  return weights;
-}
-
-Weights open_mouth(float jaw) {
-  Weights weights = rest();
-  for (std::size_t s = 0; s < weights.values.size(); ++s)
-    if (test::head().shapes[s].name == "jawOpen") weights.values[s] = jaw;
-  return weights;
-}
-
-// A map of one colour with stripes.
-AlbedoMap striped_map() {
-  AlbedoMap map;
-  map.width = map.height = 512;
-  map.weight.assign(512 * 512, 1.0f);
-  for (int y = 0; y < 512; ++y)
-    for (int x = 0; x < 512; ++x)
-      map.albedo.push_back({0.45f + 0.1f * std::sin(0.1f * static_cast<float>(y)), 0.3f,
-                            0.2f + 0.05f * std::sin(0.12f * static_cast<float>(x))});
-  return map;
-}
-
-// That face drawn by these nodes themselves.
-Image drawn(const FaceFit& fit, const AlbedoMap& map, const Weights& weights) {
-  const Image paper = test::blank(320, 320, 90);
-  Rig person = test::head();
-  person.landmarks68.clear();  // drawn whole
-  const std::vector<Vec3f> points = pose_points(person, weights);
-  return lay_over(draw_face(person, map, points, points, fit, 3), paper, paper, face_mask(test::head_model(), fit), 1);
-}
-
-TEST(Extract, GetsBackTheColoursThatWereDrawn) {
-  const FaceFit fit = true_fit(10);
-  const AlbedoMap truth = striped_map();
-  const AlbedoMap found = extract(test::head_model(), drawn(fit, truth, rest()), fit, {.size_px = 512});
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < found.weight.size(); ++i)
-    if (found.weight[i] > 0.5f)
-      for (std::size_t c = 0; c < 3; ++c) errors.push_back(std::abs(found.albedo[i][c] - truth.albedo[i][c]));
-  ASSERT_GT(errors.size(), 3000u);
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  EXPECT_LT(errors[errors.size() / 2], 0.012);  // 8 bits and one resampling
-}
-
-TEST(Extract, TakesWhatIsNotSeenFromTheModel) {
-  const FaceFit fit = true_fit(40);
-  const AlbedoMap found = extract(test::head_model(), drawn(fit, striped_map(), rest()), fit, {.size_px = 256});
-  std::size_t seen = 0, hidden = 0;
-  for (std::size_t i = 0; i < found.weight.size(); ++i) {
-    if (found.weight[i] > 0.1f) ++seen;
-    if (found.weight[i] == 0 && found.albedo[i][0] > 0) {
-      ++hidden;
-      EXPECT_TRUE(std::isfinite(found.albedo[i][0]));
-    }
-  }
-  EXPECT_GT(seen, 1000u);
-  EXPECT_GT(hidden, 1000u);
-}
-
-TEST(Extract, RejectsAPictureOfAnotherSize) {
-  EXPECT_THROW_TEXT(extract(test::head_model(), test::blank(10, 10), true_fit(0)),
-                    "the picture is 10 x 10 pixels, the fit was made on 320 x 320");
-}
-
-// A fit that is a pixel or two off paints teeth on the lips; at rest they would stay there as a pale line.
-TEST(Extract, ReadsNoTeethOnLips) {
-  FaceFit fit = true_fit(0);
-  fit.lip_gap_mm = 6;
-  const MorphableModel& model = test::head_model();
-  AlbedoMap lips = striped_map();
-  std::fill(lips.albedo.begin(), lips.albedo.end(), Vec3f{0.4f, 0.15f, 0.12f});
-  Image picture = drawn(fit, lips, rest());
-  const std::vector<render::ScreenPoint> screen = render::project(fit.camera, model.mean.points_mm);
-  const auto place = [&](std::size_t mark) { return screen[model.landmarks68[mark]]; };
-  // As wide as the inner lips, and into the lower lip.
-  const int top = static_cast<int>(place(66).y_px), bottom = top + 3;
-  const int right = static_cast<int>(place(61).x_px), left = static_cast<int>(place(63).x_px);
-  for (int y = top; y <= bottom; ++y)
-    for (int x = right; x <= left; ++x)
-      for (std::size_t c = 0; c < 3; ++c) picture.pixels[static_cast<std::size_t>(3 * (y * 320 + x)) + c] = 200;
-  const AlbedoMap found = extract(model, picture, fit, {.size_px = 512});
-  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
-  double palest = 0;
-  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const render::ScreenPoint& at = screen[atlas.triangles[t][i]];
-      if (at.x_px < right + 1 || at.x_px > left - 1 || at.y_px < top || at.y_px > bottom) continue;
-      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
-      const Vec3f& colour =
-          found.albedo[static_cast<std::size_t>((1 - uv[1]) * 511) * 512 + static_cast<std::size_t>(uv[0] * 511)];
-      if (colour[0] > 0) palest = std::max(palest, static_cast<double>(colour[1] / colour[0]));
-    }
-  EXPECT_GT(palest, 0);
-  EXPECT_LT(palest, 0.6);  // the lips' is 0.375, the teeth's 1
-}
 
 // A layer of 1 px/mm whose lower half is drawn and has moved up by 6 pixels, over a picture with a line under it.
 struct MovedChin {
