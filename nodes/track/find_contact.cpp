@@ -49,10 +49,10 @@ void find_contact(const engine::Seq<double>& openings, const engine::Seq<Landmar
     if (opening >= 0) seen.push_back(opening);
   }
   // Between two frames, so that one frame more changes little.
-  const double shut = seen.empty() ? 0 : quantile(std::move(seen), options.shut_share);
+  const double shut = seen.empty() ? 0 : std::min(options.most_shut, quantile(std::move(seen), options.shut_share));
   std::vector<double> found, shares;
   for (const double opening : all) {
-    const double from = options.shut_ratio * shut, to = options.open_ratio * shut;
+    const double from = options.shut_ratio * (shut + options.seam), to = options.open_ratio * (shut + options.seam);
     found.push_back(opening < 0 || opening >= to ? 0 : opening <= from ? 1 : (to - opening) / (to - from));
   }
   for (std::size_t t = 0; landmarks && t < found.size(); ++t)

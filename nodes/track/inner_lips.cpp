@@ -14,6 +14,7 @@
 #include "nodes/track/face_contrast.h"
 #include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
+#include "nodes/track/lip_redness.h"
 
 namespace face::track {
 namespace {
@@ -74,16 +75,20 @@ struct Thickness {
   double upper = 0, lower = 0;
 };
 
-// How far every sample of a line is from the lips, beyond `unlike`; much less than 0 at its ends.
-std::vector<double> excess_along(std::vector<Colour>& colours, const Colour& contrast, double unlike) {
+// How far every sample of a line is from the lips, beyond `unlike`; much less than 0 at its ends. What is as red as a
+// lip is one, in the shade or under a reflex.
+std::vector<double> excess_along(std::vector<Colour> colours, const Colour& contrast, double unlike) {
+  constexpr double lip_pale = 0.1, other_pale = 0.3;  // of lip_redness.h: up to this a lip, and from this on none
+  const LipRedness redness = lip_redness(colours);
   scale_luma(colours);
   const LipLook upper = look_of(colours, band_from, band_to, contrast),
                 lower = look_of(colours, 1 - band_to, 1 - band_from, contrast);
   std::vector<double> excess;
-  for (int i = 0; i < samples; ++i) {
-    const Colour& colour = colours[static_cast<std::size_t>(i)];
-    const double value = std::min({upper.unlike(colour), lower.unlike(colour), most_unlike}) - unlike;
-    const double v = (i + 0.5) / samples;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const double pale = std::clamp((redness.pale[i] - lip_pale) / (other_pale - lip_pale), 0.0, 1.0);
+    const double counts = 1 - redness.trust * (1 - pale);
+    const double value = counts * std::min({upper.unlike(colours[i]), lower.unlike(colours[i]), most_unlike}) - unlike;
+    const double v = place_on_line(i);
     excess.push_back(v < edge || v > 1 - edge ? -most_unlike : std::max(value, -most_like));
   }
   return excess;
@@ -91,7 +96,7 @@ std::vector<double> excess_along(std::vector<Colour>& colours, const Colour& con
 
 // The most likely gap where the lips' thickness is known: teeth and hollow are unlike the lips, tongue and gums are
 // not, but a lip is about as thick as expected.
-Gap likely_gap(std::vector<Colour> colours, const Colour& contrast, const Thickness& expected,
+Gap likely_gap(const std::vector<Colour>& colours, const Colour& contrast, const Thickness& expected,
                const InnerLipsOptions& options) {
   const std::vector<double> excess = excess_along(colours, contrast, options.unlike);
   std::vector<double> sum = {0};
@@ -112,7 +117,7 @@ Gap likely_gap(std::vector<Colour> colours, const Colour& contrast, const Thickn
   return gap;
 }
 
-Gap find_gap(std::vector<Colour> colours, const Colour& contrast, double unlike) {
+Gap find_gap(const std::vector<Colour>& colours, const Colour& contrast, double unlike) {
   const std::vector<double> excess = excess_along(colours, contrast, unlike);
   double best = 0, sum = 0;
   int begin = 0, best_begin = -1, best_end = -1;

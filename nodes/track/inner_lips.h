@@ -21,7 +21,8 @@ struct InnerLipsOptions {
 // ends (the maximum-sum interval of what exceeds `unlike`; Bentley, Programming Pearls, CACM 1984): teeth, tongue in
 // the shade or the hollow of the mouth. Where there is none, the darkest place. The seam of shut lips is dark and as
 // wide as the picture is blurred: compare with what is found on the shut mouth. How much is unlike goes by the contrast
-// of the picture (face_contrast.h): the same mouth is as far open in a flat film as in a hard one. The result has the
+// of the picture (face_contrast.h): the same mouth is as far open in a flat film as in a hard one. What is as red as
+// the lips is lip, however dark or glossy (lip_redness.h). The result has the
 // points of `landmarks` and after them inner_lip_1 to inner_lip_3 (upper) and inner_lip_7, _6, _5 below them; not valid
 // where an outer point of their line is not. Throws where one of the six outer points is missing, or an inner one is
 // there. rest: these points of the shut mouth, of a head at any scale (find_rest.h); null where nobody knows. With it

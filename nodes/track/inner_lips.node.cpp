@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::track;
 
-NODE("track.inner_lips", &inner_lips, version{6},
+NODE("track.inner_lips", &inner_lips, version{7},
      doc{"Finds where the lips part, between the points of their outer edge."}, input{"image", "A frame"},
      input{"landmarks", "Its points, lip_0 to lip_11 among them"},
      input{"rest", "This node's points of the shut mouth: says how thick the lips are"},

@@ -55,4 +55,13 @@ std::vector<LipColour> colours_along(const FaceColours& colours, const LipLine& 
   return out;
 }
 
+double place_on_line(std::size_t sample) { return (static_cast<double>(sample) + 0.5) / lip_line_samples; }
+
+double mean_between(const std::vector<double>& samples, double from, double to) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (place_on_line(i) >= from && place_on_line(i) <= to) sum += samples[i], ++count;
+  return sum / count;
+}
+
 }  // namespace face::track

@@ -11,6 +11,8 @@
 namespace face::track {
 
 constexpr int lip_line_samples = 64;
+// Shares of a line, from each end: surely lip; what blurs into the skin.
+constexpr double lip_from = 0.08, lip_to = 0.22, lip_line_edge = 0.12;
 using LipColour = std::array<double, 3>;  // as FaceColours::at
 
 struct LipLine {
@@ -29,5 +31,9 @@ LipLine lip_line(const Landmarks& landmarks, int upper);
 FaceColours colours_about(const Image& image, const std::vector<LipLine>& lines, const MouthWidth& width);
 // lip_line_samples of them, evenly from the upper to the lower end, each the mean over a short stretch along the mouth.
 std::vector<LipColour> colours_along(const FaceColours& colours, const LipLine& line, const MouthWidth& width);
+// Where a sample lies on its line, 0 to 1.
+double place_on_line(std::size_t sample);
+// Mean over the samples whose place is from `from` to `to`.
+double mean_between(const std::vector<double>& samples, double from, double to);
 
 }  // namespace face::track

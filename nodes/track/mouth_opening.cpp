@@ -9,26 +9,24 @@
 #include "nodes/base/find_landmark.h"
 #include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
+#include "nodes/track/lip_redness.h"
 
 namespace face::track {
 namespace {
 
-constexpr double lip_from = 0.08, lip_to = 0.22;            // of the line, from each end: surely lip
-constexpr double edge = 0.12;                               // of the line, at each end: what blurs into the skin
-constexpr std::array<double, 3> deviation{0.1, 0.3, 0.15};  // red and blue to green (logarithms), share of brightness
-
-// Mean over the samples whose place is from `from` to `to`.
-LipColour mean_colour(const std::vector<LipColour>& colours, double from, double to) {
-  LipColour mean{};
-  double count = 0;
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double v = (static_cast<double>(i) + 0.5) / lip_line_samples;
-    if (v < from || v > to) continue;
-    for (std::size_t c = 0; c < 3; ++c) mean[c] += colours[i][c];
-    ++count;
+// Mean distance of the brightness from that of the lips, which turns evenly from the upper one's into the lower one's,
+// as a share of the lips'.
+double uneven_share(const std::vector<double>& luma) {
+  constexpr double middle = (lip_from + lip_to) / 2;
+  const double above = mean_between(luma, lip_from, lip_to), below = mean_between(luma, 1 - lip_to, 1 - lip_from);
+  double sum = 0;
+  for (std::size_t i = 0; i < luma.size(); ++i) {
+    const double place = place_on_line(i);
+    if (place < lip_line_edge || place > 1 - lip_line_edge) continue;
+    const double share = std::clamp((place - middle) / (1 - 2 * middle), 0.0, 1.0);
+    sum += std::abs(luma[i] - above - share * (below - above));
   }
-  for (double& value : mean) value /= count;
-  return mean;
+  return sum / lip_line_samples / std::max(0.02, (above + below) / 2);
 }
 
 // What a mouth's height is held against. Not its width, where the eyes are seen: lips that meet in a pout are as thick
@@ -50,25 +48,17 @@ double mouth_opening(const Image& picture, const Landmarks& landmarks, const Mat
   const LipLine line = lip_line(landmarks, 3);
   const LipLine corners = {find_landmark(landmarks, "lip_0"), find_landmark(landmarks, "lip_6")};
   if (!line.upper->valid || !line.lower->valid || !corners.upper->valid || !corners.lower->valid) return -1;
-  std::vector<LipColour> colours = colours_along(colours_about(image, {line}, width), line, width);
-  const LipColour above = mean_colour(colours, lip_from, lip_to),
-                  below = mean_colour(colours, 1 - lip_to, 1 - lip_from);
-  const double lips_luma = std::max(0.02, (above[2] + below[2]) / 2);
-  double sum = 0;
-  for (int i = 0; i < lip_line_samples; ++i) {
-    const double v = (i + 0.5) / lip_line_samples;
-    if (v < edge || v > 1 - edge) continue;
-    const double middle = (lip_from + lip_to) / 2, share = std::clamp((v - middle) / (1 - 2 * middle), 0.0, 1.0);
-    double square = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double lips = above[c] + share * (below[c] - above[c]);
-      const double unlike = (colours[static_cast<std::size_t>(i)][c] - lips) / (c == 2 ? lips_luma : 1);
-      square += std::pow(unlike / deviation[c], 2);
-    }
-    sum += std::sqrt(square) / lip_line_samples;
-  }
+  const std::vector<LipColour> colours = colours_along(colours_about(image, {line}, width), line, width);
+  std::vector<double> luma;
+  for (const LipColour& colour : colours) luma.push_back(colour[2]);
   const double height_px = std::hypot(line.lower->x_px - line.upper->x_px, line.lower->y_px - line.upper->y_px);
-  return sum * height_px / std::max(1.0, usual_width_px(landmarks, width));
+  const double height = height_px / std::max(1.0, usual_width_px(landmarks, width));
+  // Of brightness lips that meet have 0.03, open ones a half more; of redness three times as much is open: its power.
+  constexpr double meeting = 0.03, usual = 0.01, power = 3.5;
+  const double uneven = uneven_share(luma) * height;
+  const double by_light = std::min(uneven, usual * std::pow(uneven / meeting, power));
+  const LipRedness redness = lip_redness(colours);
+  return redness.trust * pale_share(redness) * height + (1 - redness.trust) * by_light;
 }
 
 }  // namespace face::track

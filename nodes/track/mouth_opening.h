@@ -6,15 +6,14 @@
 
 namespace face::track {
 
-// How much of what lies between the outer edges of the lips, in the middle of the mouth, is unlike the lips: the mean
-// distance of its colours from what lips alone would show (the colours at either end of the line from lip_3 to lip_9,
-// the one turning evenly into the other), times the length of the line in usual widths of a mouth: 1.5 times between
-// the inner corners of the eyes, or as wide as it is where these are not seen. Teeth, tongue and the hollow of a mouth
-// add to it, and so, but little, do the dark seam and the grain of lips that meet; how much that is depends on the
-// speaker, the light and the camera: compare with other frames (find_contact.h). Brightness counts as a share of the
-// lips', so that the light does not; blue to green counts least, as films keep it coarsest. -1 where a point of the
-// line or a corner of the mouth is not valid. Throws where one is missing.
-// light: takes the picture back to the light of the film's first frame (track_klt.h); null = it is the same.
+// How much of the line from lip_3 to lip_9, in usual widths of a mouth (1.5 times between the inner corners of the
+// eyes, or as wide as it is where these are not seen), is no lip: the mean over the line of how far short of the lips'
+// own redness it falls (lip_redness.h), times its length. So neither reflexes nor paint nor shade on a lip count, teeth
+// and the hollow of a mouth do. What is left of lips that meet, a dark seam and grain, depends on the speaker, the
+// light and the camera: compare with other frames (find_contact.h). Where the lips are hardly red, as in a grey film,
+// brightness tells, but badly: how far it is from what lips alone would show, brought to the same scale. -1 where a
+// point of the line or a corner of the mouth is not valid. Throws where one is missing. light: takes the picture back
+// to the light of the film's first frame (track_klt.h); null = it is the same.
 double mouth_opening(const Image& image, const Landmarks& landmarks, const Matrix* light = nullptr);
 
 }  // namespace face::track

@@ -91,7 +91,7 @@ const Maker uneven_timeline = made([](int variant) {
 
 // Frames of a mouth of which the second is shut, as far as its variant says, and the third nearly.
 const Maker openings = made([](int variant) {
-  const std::array<double, 4> all = {1.0, 0.3, 0.39, 0.5};
+  const std::array<double, 4> all = {0.1, 0.006, 0.024, 0.05};
   return all[static_cast<std::size_t>(variant) % all.size()];
 });
 

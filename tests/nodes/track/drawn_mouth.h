@@ -45,4 +45,17 @@ struct DrawnMouth {
   }
 };
 
+// The same with a reflex of white light over the lower lip, and the upper one in the shade of what lights it.
+inline face::Image glossy(const DrawnMouth& mouth) {
+  face::Image image = mouth.image();
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::uint8_t& value = image.pixels[static_cast<std::size_t>(y * image.width + x) * 3 + c];
+        const double reflex = y > 46 && y < 53 ? 70 : 0, shade = y < 40 ? 0.6 : 1;
+        value = static_cast<std::uint8_t>(std::min(255.0, shade * value + reflex));
+      }
+  return image;
+}
+
 }  // namespace test

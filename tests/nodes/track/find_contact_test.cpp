@@ -42,8 +42,8 @@ std::vector<double> contacts_of(const std::vector<std::shared_ptr<const Image>>&
 
 // 80 frames, of which five are shut.
 std::vector<double> mostly_open() {
-  std::vector<double> openings(80, 1.0);
-  for (std::size_t i = 10; i < 15; ++i) openings[i] = 0.3 + 0.001 * static_cast<double>(i);
+  std::vector<double> openings(80, 0.1);
+  for (std::size_t i = 10; i < 15; ++i) openings[i] = 0.006 + 0.0001 * static_cast<double>(i);
   return openings;
 }
 
@@ -54,23 +54,33 @@ TEST(FindContact, TellsTheFewFramesThatShowLeast) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], i >= 10 && i < 15 ? 1 : 0) << i;
 }
 
-TEST(FindContact, IsUnchangedByTheContrastOfThePicture) {
-  std::vector<double> openings = mostly_open(), faint;
-  openings[20] = 0.41;
-  for (const double opening : openings) faint.push_back(opening / 5);
-  const std::vector<double> found = contacts_of(openings), again = contacts_of(faint);
-  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], again[i], 1e-9) << i;
+TEST(FindContact, ASeamThatShowsLittleMakesWhoSmilesOpenNoSooner) {
+  std::vector<double> openings = mostly_open();
+  for (double& opening : openings)
+    if (opening < 0.05) opening = 0;  // lips that are pressed show nothing
+  openings[40] = 0.008;               // and lips at rest a little
+  openings[41] = 0.014;
+  const std::vector<double> found = contacts_of(openings);
+  EXPECT_EQ(found[12], 1);
+  EXPECT_EQ(found[40], 1);
+  EXPECT_EQ(found[41], 0);
+}
+
+TEST(FindContact, AMouthThatNeverShutsMeetsNowhere) {
+  std::vector<double> openings(80, 0.2);
+  for (std::size_t i = 10; i < 30; ++i) openings[i] = 0.08;
+  for (const double contact : contacts_of(openings)) EXPECT_EQ(contact, 0);
 }
 
 TEST(FindContact, FadesFromShutToOpen) {
   std::vector<double> openings = mostly_open(), found;
-  for (std::size_t i = 0; i < 20; ++i) openings[40 + i] = 0.3 + 0.01 * static_cast<double>(i);
+  for (std::size_t i = 0; i < 20; ++i) openings[40 + i] = 0.01 + 0.0015 * static_cast<double>(i);
   found = contacts_of(openings);
   EXPECT_EQ(found[40], 1);
   EXPECT_EQ(found[59], 0);
   for (std::size_t i = 41; i < 60; ++i) {
     EXPECT_LE(found[i], found[i - 1]);
-    EXPECT_LE(found[i - 1] - found[i], 0.2);  // a hundredth more is no leap
+    EXPECT_LE(found[i - 1] - found[i], 0.2);  // a little more is no leap
   }
 }
 
@@ -83,7 +93,7 @@ TEST(FindContact, KnowsNothingOfFramesThatAreNotSeen) {
 }
 
 TEST(FindContact, ALowerLipBehindTheTeethMeetsNoLip) {
-  const std::vector<double> openings(20, 0.3);
+  const std::vector<double> openings(20, 0.006);
   std::vector<Landmarks> lips;
   for (int t = 0; t < 20; ++t) {
     const double lower_px = t == 7 ? 8 : t == 8 ? 11 : 12;
@@ -105,7 +115,9 @@ TEST(FindContact, RejectsWhatIsNoOpening) {
   EXPECT_THROW_TEXT(contacts_of({0.5, NAN}), "the opening of frame 1 is nan, expected a finite number");
   const engine::Seq<Landmarks> none;
   EXPECT_THROW_TEXT(contacts_of({0.5}, {}, &none), "there are 0 landmarks, expected 1 as openings");
-  EXPECT_THROW_TEXT(contacts_of({0.5}, {0.03, 2, 1.5}), "shut_ratio is 2, expected less than open_ratio, which is 1.5");
+  track::FindContactOptions options;
+  options.shut_ratio = 2, options.open_ratio = 1.5;
+  EXPECT_THROW_TEXT(contacts_of({0.5}, options), "shut_ratio is 2, expected less than open_ratio, which is 1.5");
 }
 
 // Where the phantom's lips meet and where they are 2 mm apart and more, from the true outer points.

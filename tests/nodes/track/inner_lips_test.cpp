@@ -46,6 +46,14 @@ TEST(InnerLips, ShutLipsHaveNoGap) {
   for (int column = 1; column <= 3; ++column) EXPECT_NEAR(gap_px(found, column), 0, 0.5) << column;
 }
 
+TEST(InnerLips, ShutLipsThatAreGlossyOrInTheShadeHaveNoGap) {
+  const Mouth shut, open{6, 4, test::tooth};
+  for (int column = 1; column <= 3; ++column) {
+    EXPECT_NEAR(gap_px(track::inner_lips(test::glossy(shut), shut.outer()), column), 0, 0.5) << column;
+    EXPECT_NEAR(gap_px(track::inner_lips(test::glossy(open), open.outer()), column), 10, 2.5) << column;
+  }
+}
+
 // A mouth's points with three that do not move with it.
 Landmarks with_head(Landmarks mouth) {
   mouth.points.insert(mouth.points.begin(),
