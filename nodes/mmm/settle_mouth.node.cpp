@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::mmm;
 
-NODE("mmm.settle_mouth", &settle_mouth, version{1},
+NODE("mmm.settle_mouth", &settle_mouth, version{2},
      doc{"Puts the followed points of a mouth where its lips are: flow slides along edges and on even skin."},
      input{"reference", "The first frame"}, input{"start", "The points there: of the 68 of Multi-PIE"},
      input{"image", "A later frame"}, input{"landmarks", "The points as they were followed to it"},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,9 +13,11 @@
 #include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
 #include "nodes/track/face_contrast.h"
+#include "nodes/track/head_motion.h"
 #include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
 #include "nodes/track/lip_redness.h"
+#include "nodes/track/solid_head.h"
 
 namespace face::track {
 namespace {
@@ -157,25 +160,55 @@ double scale_of(const Landmarks& landmarks, const Landmarks& rest) {
   return here > 0 && there > 0 ? here / there : 1;
 }
 
+// What is known of the mouth at rest; without depths or head not how a head that has turned shows it.
+struct RestLook {
+  const Landmarks* points = nullptr;
+  const Matrix *depths_px = nullptr, *head = nullptr;
+};
+
+// The mouth at rest, in the pose of this frame where that is known.
+struct RestMouth {
+  Landmarks points;
+  double scale = 1;  // that it is seen at
+};
+
+RestMouth rest_mouth(const Landmarks& landmarks, const RestLook& rest) {
+  const Landmarks& points = *rest.points;
+  if (rest.depths_px == nullptr || rest.head == nullptr || rest.head->values.empty())
+    return {points, scale_of(landmarks, points)};
+  const HeadSight sight = head_sight(*rest.head);
+  if (sight.likeness < head_is_seen) return {points, scale_of(landmarks, points)};
+  const Matrix& depths_px = *rest.depths_px;
+  check(depths_px.rows == points.points.size() && depths_px.values.size() == points.points.size(), "depths_px is ",
+        depths_px.rows, " x ", depths_px.columns, ", expected ", points.points.size(), " x 1 as rest has points");
+  RestMouth mouth{points};
+  const SolidHead head = solid_head(sight.pose, {0, 0, 0});
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
+    Landmark& point = mouth.points.points[i];
+    const std::complex<double> seen = head.seen({point.x_px, point.y_px}, depths_px.values[i]);
+    point.x_px = seen.real(), point.y_px = seen.imag();
+  }
+  return mouth;
+}
+
 // How many times as wide the mouth at rest is on the head; 1 where it does not say.
-double narrowing(const Landmarks& rest, double scale, const MouthWidth& width) {
+double narrowing(const RestMouth& rest, const MouthWidth& width) {
   constexpr double most = 2;  // beyond, a corner is lost
-  const Landmark *const right = find_landmark(rest, "lip_0"), *const left = find_landmark(rest, "lip_6");
+  const Landmark *const right = find_landmark(rest.points, "lip_0"), *const left = find_landmark(rest.points, "lip_6");
   if (!right || !left || width.length_px() <= 0) return 1;
-  return std::clamp(scale * distance_px(*right, *left) / width.length_px(), 1 / most, most);
+  return std::clamp(rest.scale * distance_px(*right, *left) / width.length_px(), 1 / most, most);
 }
 
 // Of the line of inner_lip_1, _2 or _3 as thick as at rest, but for the mouth's width; none where rest does not say.
-std::optional<Thickness> expected_thickness(const Landmarks& rest, const Landmarks& landmarks, const LipLine& line,
-                                            std::size_t number, const MouthWidth& width, double thickening) {
-  const Landmark *const upper = find_landmark(rest, line.upper->name),
-                        *const lower = find_landmark(rest, line.lower->name),
-                        *const above = find_landmark(rest, "inner_lip_" + std::to_string(number)),
-                        *const below = find_landmark(rest, "inner_lip_" + std::to_string(8 - number));
+std::optional<Thickness> expected_thickness(const RestMouth& rest, const LipLine& line, std::size_t number,
+                                            const MouthWidth& width, double thickening) {
+  const Landmark *const upper = find_landmark(rest.points, line.upper->name),
+                        *const lower = find_landmark(rest.points, line.lower->name),
+                        *const above = find_landmark(rest.points, "inner_lip_" + std::to_string(number)),
+                        *const below = find_landmark(rest.points, "inner_lip_" + std::to_string(8 - number));
   const double length = distance_px(*line.upper, *line.lower);
   if (!upper || !lower || !above || !below || length <= 0) return std::nullopt;
-  const double scale = scale_of(landmarks, rest);
-  const double share = scale / length * std::pow(narrowing(rest, scale, width), thickening);
+  const double share = rest.scale / length * std::pow(narrowing(rest, width), thickening);
   const Thickness result{share * distance_px(*upper, *above), share * distance_px(*below, *lower)};
   if (result.upper <= 0 || result.lower <= 0) return std::nullopt;
   return result;
@@ -183,8 +216,8 @@ std::optional<Thickness> expected_thickness(const Landmarks& rest, const Landmar
 
 }  // namespace
 
-Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Landmarks* rest, const Matrix* light,
-                     const InnerLipsOptions& options) {
+Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Landmarks* rest, const Matrix* depths_px,
+                     const Matrix* head, const Matrix* light, const InnerLipsOptions& options) {
   check_image(picture, "the image");
   Image room;
   const Image& image = in_start_light(picture, light ? light_of(*light) : LightChange{}, room);
@@ -195,12 +228,14 @@ Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Lan
   for (int i = 1; i <= 3; ++i) lines.push_back(lip_line(landmarks, i + 1));
   const FaceColours colours = colours_about(image, lines, width);
   const LipColour contrast = face_contrast(image, landmarks);
+  std::optional<RestMouth> resting;
+  if (rest) resting = rest_mouth(landmarks, {rest, depths_px, head});
   Landmarks out = landmarks;
   std::vector<Landmark> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LipLine& line = lines[i];
     const std::optional<Thickness> expected =
-        rest ? expected_thickness(*rest, landmarks, line, i + 1, width, options.thickening) : std::nullopt;
+        resting ? expected_thickness(*resting, line, i + 1, width, options.thickening) : std::nullopt;
     const std::vector<Colour> seen = colours_along(colours, line, width);
     const Gap gap =
         expected ? likely_gap(seen, contrast, *expected, options) : find_gap(seen, contrast, options.unlike);

@@ -29,8 +29,13 @@ struct InnerLipsOptions {
 // the gap is the most likely one: the tongue, gums and teeth in the shade are no less like a lip than a lip is, but
 // lips are about as thick as at rest, thicker in a mouth that is narrower (a W or a pout, whose lips would else count
 // as open), each by itself (a normal distribution), and what the picture shows is weighed against that.
+// A head that turns or nods shows a mouth narrower, and lips thinner or thicker, than its first frame does. depths_px
+// (N x 1: how far rest's points are towards the viewer) and head (its pose since rest, as stabilise.h takes them) say
+// how the mouth at rest would be seen in this frame; without either, or where the head is not seen, the distances
+// between the eyes and the tip of the nose tell its scale alone.
 // light: takes the picture back to the light of the film's first frame (track_klt.h); null = it is the same.
 Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest = nullptr,
-                     const Matrix* light = nullptr, const InnerLipsOptions& options = {});
+                     const Matrix* depths_px = nullptr, const Matrix* head = nullptr, const Matrix* light = nullptr,
+                     const InnerLipsOptions& options = {});
 
 }  // namespace face::track

@@ -71,6 +71,11 @@ const Maker head_pose = made([](int variant) {
   return face::Matrix{7, 1, {0.02 + 0.05 * variant, 0.03 - 0.04 * variant, 0.01, 0.01, 60, 40, 0.9}};
 });
 
+// One that nods and comes nearer by so much that its lips are of another thickness.
+const Maker nodding_head = made([](int variant) {
+  return face::Matrix{7, 1, {0.5 - 0.3 * variant, 0.1, 0, 0.3 * variant, 60, 40, 0.9}};
+});
+
 // A lamp that is turned on more and more.
 const Maker light = made([](int variant) {
   return face::Matrix{3, 2, {1 - 0.1 * variant, 5, 1, -6.0 * variant, 1.1, 0}};
@@ -108,6 +113,13 @@ const Maker parting_lips = made([](int variant) {
   return points;
 });
 
+// Of these.
+const Maker lip_depths = made([](int variant) {
+  face::Matrix column{12, 1, {}};
+  for (int i = 0; i < 12; ++i) column.values.push_back((4 + 9.0 * variant) * std::sin(1.1 * i));
+  return column;
+});
+
 // The same of a mouth that is open or nearly so, with thinner lips.
 const Maker open_lips = made([](int variant) {
   face::Landmarks points;
@@ -141,6 +153,8 @@ const Registered track({
             {"track.inner_lips.image", clip},
             {"track.inner_lips.landmarks", first_points},
             {"track.inner_lips.rest", parting_lips},
+            {"track.inner_lips.depths_px", lip_depths},
+            {"track.inner_lips.head", nodding_head},
             {"track.inner_lips.light", light},
             {"track.lip_thickness.landmarks", open_lips},
             {"track.lip_thickness.rest", parting_lips},

@@ -84,7 +84,7 @@ TEST(InnerLips, LipsOfANarrowerMouthAreThicker) {
   EXPECT_LT(gap_px(track::inner_lips(mouth.image(), outer, &wide), 2), open_px - 4);
   track::InnerLipsOptions options;
   options.thickening = 0;
-  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &wide, nullptr, options), 2), open_px);
+  EXPECT_EQ(gap_px(track::inner_lips(mouth.image(), outer, &wide, nullptr, nullptr, nullptr, options), 2), open_px);
 }
 
 TEST(InnerLips, WhatIsSeenCountsMoreThanTheThicknessAtRest) {
@@ -102,6 +102,28 @@ TEST(InnerLips, LipsThatAreThickAsAtRestAreShutAtAnyScale) {
   const Mouth open{8, 8, test::lower_lip};
   EXPECT_NEAR(gap_px(track::inner_lips(resting.image(), with_head(resting.outer()), &rest), 2), 1.5, 1);
   EXPECT_NEAR(gap_px(track::inner_lips(open.image(), with_head(open.outer()), &rest), 2), 16, 5);
+}
+
+// A head that turns aside shows its mouth half as wide: that is no pout.
+TEST(InnerLips, LipsOfAHeadThatTurnsAreAsThickAsAtRest) {
+  const Mouth mouth{8, 8, test::lower_lip};
+  const Landmarks rest = shut_mouth();
+  Landmarks outer = with_head(mouth.outer());
+  for (Landmark& p : outer.points) p.x_px = 60 + 0.5 * (p.x_px - 60);
+  Image image = mouth.image();
+  const Image front = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.pixels[static_cast<std::size_t>((y * image.width + x) * 3 + c)] = front.pixels[static_cast<std::size_t>(
+            (y * image.width + std::clamp(60 + 2 * (x - 60), 0, image.width - 1)) * 3 + c)];
+  const Matrix depths{rest.points.size(), 1, std::vector<double>(rest.points.size(), 0.0)};
+  const Matrix head{7, 1, {0, std::acos(0.5), 0, 0, 0, 0, 1}};
+  EXPECT_LT(gap_px(track::inner_lips(image, outer, &rest), 2), 8);
+  EXPECT_NEAR(gap_px(track::inner_lips(image, outer, &rest, &depths, &head), 2), 16, 5);
+  const Matrix unseen{7, 1, {0, std::acos(0.5), 0, 0, 0, 0, 0}};
+  EXPECT_EQ(gap_px(track::inner_lips(image, outer, &rest, &depths, &unseen), 2),
+            gap_px(track::inner_lips(image, outer, &rest), 2));
 }
 
 TEST(InnerLips, ARestThatDoesNotSayHowThickTheLipsAreIsNone) {
