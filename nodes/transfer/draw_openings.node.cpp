@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::transfer;
 
-NODE("transfer.draw_openings", &draw_openings, version{2},
+NODE("transfer.draw_openings", &draw_openings, version{3},
      doc{"Draws eyes before which lids move as layers: skin with a hole, and the eye behind it."},
      input{"drawn", "The reference's texture on the frame, from transfer.draw_texture"},
      input{"openings", "Outlines in the reference's picture, from transfer.find_openings"},

@@ -13,6 +13,7 @@
 
 #include "nodes/base/luma.h"
 #include "nodes/base/srgb.h"
+#include "nodes/transfer/share_slopes.h"
 
 namespace face::transfer {
 namespace {
@@ -20,15 +21,30 @@ namespace {
 // Costs in squared grey levels: of a vertex that leaves the line of its neighbours by a pixel, along the hole's edge
 // and elsewhere, or them by a pixel; of the rim, a pixel off; of light that changes by a factor of e from one place of
 // its grid to the next, and as a whole; of an eye a pixel off, and one that is stretched by 2 %.
-constexpr double bend_along = 20, bend = 3, stretch = 0.05, rim = 3, uneven_light = 20000, any_light = 20,
+constexpr double bend_along = 200, bend = 20, stretch = 0.05, rim = 3, uneven_light = 20000, any_light = 20,
                  eye_place = 3, eye_form = 400;
-constexpr double form_scale = 50;                            // pixels: half an eye
-constexpr std::array<double, 3> wild_levels = {40, 20, 10};  // differences so large count half (Cauchy), in turn
+constexpr double form_scale = 50;  // pixels: half an eye
+// In turn: differences so large count half (Cauchy), and bends count so many times what they do in the end.
+struct Stage {
+  double wild_levels, stiff;
+};
+constexpr std::array<Stage, 3> stages = {{{40, 16}, {20, 4}, {10, 1}}};
 constexpr double longest_step_px = 2, largest_step_light = 0.3;
 constexpr int iterations = 25, tries = 5;
 constexpr double enough = 1e-3;  // of the cost, in one step
 
 using Term = std::pair<int, double>;
+
+// How a pixel's skin changes to the right and downwards, by the pixels beside it that see skin.
+Place skin_slope(const OpeningView::Pixel& here, const OpeningView::Pixel& left, const OpeningView::Pixel& right,
+                 const OpeningView::Pixel& above, const OpeningView::Pixel& below) {
+  const auto slope = [&](const OpeningView::Pixel& before, const OpeningView::Pixel& after) {
+    const bool has_before = before.vertex_count > 0, has_after = after.vertex_count > 0;
+    if (has_before && has_after) return 0.5 * (after.skin - before.skin);
+    return has_after ? after.skin - here.skin : has_before ? here.skin - before.skin : 0.0;
+  };
+  return {slope(left, right), slope(above, below)};
+}
 
 // Sums of squares of linear residuals.
 class Normal {
@@ -46,12 +62,13 @@ class Normal {
 
 class Fit {
  public:
-  Fit(const OpeningScene& scene, const Image& frame, const OpeningPose& held, double wild)
+  Fit(const OpeningScene& scene, const Image& frame, const OpeningPose& held, const Stage& stage)
       : scene_(scene),
         sheet_(scene.sheet()),
         frame_(frame),
         held_(held),
-        wild_(wild),
+        wild_(stage.wild_levels),
+        stiff_(stage.stiff),
         first_light_(2 * static_cast<int>(sheet_.places.size())),
         first_eye_(first_light_ + scene.light_columns() * scene.light_rows()),
         unknowns_(first_eye_ + 6) {}
@@ -68,6 +85,8 @@ class Fit {
 
   Normal normal(const OpeningPose& pose, const OpeningView& view) const {
     Normal out(unknowns_);
+    const std::vector<std::vector<ShareSlope>> covering = share_slopes(sheet_, pose, view);
+    std::vector<Term> terms;
     each_difference(view, [&](int x, int y, const OpeningView::Pixel& pixel, double difference) {
       const auto at = [&](int px, int py) -> const OpeningView::Pixel& { return view.at(px, py); };
       const auto &left = at(x - 1, y), &right = at(x + 1, y), &above = at(x, y - 1), &below = at(x, y + 1);
@@ -84,20 +103,23 @@ class Fit {
           more[k] += 0.5;
           eye[k] = eye_share * slope * (scene_.eye_light(more) - scene_.eye_light(less));
         }
-      // What the drawing changes by beyond that moves with the skin.
-      const std::array<double, 6>& e = pose.eye_from_frame;
-      const double skin_x = 0.5 * (right.grey - left.grey) - (eye[0] * e[0] + eye[1] * e[2]);
-      const double skin_y = 0.5 * (below.grey - above.grey) - (eye[0] * e[1] + eye[1] * e[3]);
-      std::array<Term, 2 * OpeningView::most + 4 + 6> row;
-      std::size_t count = 0;
+      terms.clear();
+      // Skin that moves within the pixel, and skin that comes to cover the eye.
+      const Place skin = (pixel.share * slope) * skin_slope(pixel, left, right, above, below);
       for (std::size_t k = 0; k < pixel.vertex_count; ++k) {
         const auto [vertex, share] = pixel.vertices[k];
-        row[count++] = {2 * static_cast<int>(vertex), -skin_x * share};
-        row[count++] = {2 * static_cast<int>(vertex) + 1, -skin_y * share};
+        terms.push_back({2 * static_cast<int>(vertex), -skin[0] * share});
+        terms.push_back({2 * static_cast<int>(vertex) + 1, -skin[1] * share});
       }
+      if (pixel.share > 0)
+        for (const ShareSlope& edge : covering[view.index(x, y)]) {
+          const double covered = slope * (pixel.skin - pixel.eye);
+          terms.push_back({2 * static_cast<int>(edge.vertex), covered * edge.slope[0]});
+          terms.push_back({2 * static_cast<int>(edge.vertex) + 1, covered * edge.slope[1]});
+        }
       if (pixel.share > 0.02)
         for (const auto& [i, w] : scene_.light_at(pixel.skin_place))
-          row[count++] = {first_light_ + static_cast<int>(i), slope * pixel.share * pixel.skin * w};
+          terms.push_back({first_light_ + static_cast<int>(i), slope * pixel.share * pixel.skin * w});
       if (eye_share > 0.02) {
         const std::array<double, 6> moved = {eye[0] * x / form_scale,
                                              eye[0] * y / form_scale,
@@ -105,9 +127,9 @@ class Fit {
                                              eye[1] * y / form_scale,
                                              eye[0],
                                              eye[1]};
-        for (std::size_t k = 0; k < 6; ++k) row[count++] = {first_eye_ + static_cast<int>(k), moved[k]};
+        for (std::size_t k = 0; k < 6; ++k) terms.push_back({first_eye_ + static_cast<int>(k), moved[k]});
       }
-      out.add(std::span(row).first(count), difference, weight);
+      out.add(terms, difference, weight);
     });
     each_held(pose,
               [&](std::span<const Term> row, double residual, double weight) { out.add(row, -residual, weight); });
@@ -152,7 +174,7 @@ class Fit {
         const double s = line.share;
         const std::array<Term, 3> row = {{{unknown(a, k), 1}, {unknown(b, k), -1 - s}, {unknown(c, k), s}}};
         take(row, motion(a, k) - (1 + s) * motion(b, k) + s * motion(c, k),
-             line.along_outline ? bend_along / ((1 + s) * (1 + s)) : bend);
+             stiff_ * (line.along_outline ? bend_along / ((1 + s) * (1 + s)) : bend));
       }
       for (const auto& [a, b] : sheet_.edges) {
         const std::array<Term, 2> row = {{{unknown(a, k), 1}, {unknown(b, k), -1}}};
@@ -193,13 +215,13 @@ class Fit {
   const OpeningSheet& sheet_;
   const Image& frame_;
   const OpeningPose& held_;
-  double wild_;
+  double wild_, stiff_;
   int first_light_, first_eye_, unknowns_;
 };
 
 FitOpeningResult fit_once(const OpeningScene& scene, const Image& frame, const OpeningPose& start,
-                          const OpeningPose& held, double wild) {
-  const Fit fit(scene, frame, held, wild);
+                          const OpeningPose& held, const Stage& stage) {
+  const Fit fit(scene, frame, held, stage);
   FitOpeningResult result{start, 0};
   OpeningView view = scene.view(result.pose);
   result.cost = fit.cost(result.pose, view);
@@ -239,7 +261,7 @@ FitOpeningResult fit_once(const OpeningScene& scene, const Image& frame, const O
 FitOpeningResult fit_opening(const OpeningScene& scene, const Image& frame, const OpeningPose& start,
                              const OpeningPose& held) {
   FitOpeningResult result{start, 0};
-  for (const double wild : wild_levels) result = fit_once(scene, frame, result.pose, held, wild);
+  for (const Stage& stage : stages) result = fit_once(scene, frame, result.pose, held, stage);
   return result;
 }
 

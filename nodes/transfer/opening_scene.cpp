@@ -19,9 +19,6 @@ constexpr int sure_px = 8;  // so far from a view's border a pixel is within the
 double light_of(double grey) { return linear_of(std::clamp(grey, 0.0, 255.0) / 255); }
 double grey_of(double light) { return 255 * srgb_of(std::max(light, 0.0)); }
 
-// The first of the parts that a pixel sees, along a row or a column.
-int first_part(int pixel) { return parts_per_px * pixel - (lens_window - parts_per_px) / 2; }
-
 // Draws a pose step by step.
 class ViewDrawer {
  public:

@@ -63,6 +63,7 @@ class SheetCutter {
     for (const render::Triangle& t : sheet_.triangles)
       for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
     sheet_.edges.assign(edges.begin(), edges.end());
+    find_hole();
     follow_outline();
   }
 
@@ -105,6 +106,20 @@ class SheetCutter {
 
   void keep_line(std::size_t a, std::size_t b, std::size_t c) {
     if (away_[a] >= 0 && away_[b] >= 0 && away_[c] >= 0) sheet_.lines.push_back({{id(a), id(b), id(c)}, 1, false});
+  }
+
+  // Edges of one triangle alone that do not lie on the rim.
+  void find_hole() {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles;
+    for (const render::Triangle& t : sheet_.triangles)
+      for (std::size_t k = 0; k < 3; ++k) ++triangles[std::minmax(t[k], t[(k + 1) % 3])];
+    const std::set<std::uint32_t> rim(sheet_.rim.begin(), sheet_.rim.end());
+    for (const render::Triangle& t : sheet_.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        if (triangles[std::minmax(a, b)] == 1 && !(rim.contains(a) && rim.contains(b)))
+          sheet_.hole.push_back({a, b, t[(k + 2) % 3]});
+      }
   }
 
   // The hole's edge moves smoothly along itself.

@@ -24,6 +24,10 @@ struct OpeningSheet {
   std::vector<render::Triangle> triangles;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   std::vector<Line> lines;
+  struct HoleEdge {  // from first to last; inner is the third vertex of its triangle
+    std::uint32_t first, last, inner;
+  };
+  std::vector<HoleEdge> hole;      // the edges of triangles that lie at the outline
   std::vector<std::uint32_t> rim;  // the outermost vertices, in order about the sheet
   int left = 0, top = 0, columns = 0, rows = 0;
   double light_px = 0;  // distance of the places where light is told

@@ -13,4 +13,7 @@ constexpr double no_share = 0.03;  // shares of a pixel that are none
 // How a pixel weighs the parts about it in a row or a column: its own width, through the lens. They sum to 1.
 const std::array<double, lens_window>& lens_weights();
 
+// The first of the parts that a pixel sees, along a row or a column.
+constexpr int first_part(int pixel) { return parts_per_px * pixel - (lens_window - parts_per_px) / 2; }
+
 }  // namespace face::transfer

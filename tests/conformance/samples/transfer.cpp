@@ -213,8 +213,12 @@ const Maker far_eye = made([](int variant) {
   return seen;
 });
 const Maker half_shut_eye = made([](int variant) { return test::eye_scan(0.3 + 0.05 * variant); });
-const Maker half_shut_shape =
-    made([](int variant) { return test::eye_shape(test::eye_mesh(), 0.45 + 0.05 * variant); });
+// Wherever lids are taken to be, the fit finds them; the head's place counts.
+const Maker half_shut_shape = made([](int variant) {
+  face::MeshPoints lids = test::eye_shape(test::eye_mesh(), 0.45 + 0.05 * variant);
+  for (face::Vec3f& p : lids.points_mm) p[0] += 0.5f * static_cast<float>(variant);
+  return lids;
+});
 const Maker eye_outlines = made([](int variant) {
   face::Landmarks points = test::eye_outline();
   for (face::Landmark& p : points.points) p.x_px += 0.5 * variant;

@@ -11,8 +11,10 @@
 #include "nodes/transfer/draw_openings.h"
 #include "nodes/transfer/draw_texture.h"
 #include "nodes/transfer/find_openings.h"
+#include "nodes/transfer/fit_opening.h"
 #include "nodes/transfer/opening_scene.h"
 #include "nodes/transfer/pixel_parts.h"
+#include "nodes/transfer/share_slopes.h"
 #include "tests/support/blinking_eye.h"
 #include "tests/support/expect_throw_text.h"
 
@@ -34,6 +36,40 @@ double squares(const Image& drawn, const Image& seen) {
   return sum;
 }
 
+Outline eye_curve() {
+  Outline outline;
+  for (const Landmark& p : eye_outline().points) outline.corners.push_back({p.x_px, p.y_px});
+  return outline;
+}
+
+// As the reference has it.
+OpeningPose pose_of(const OpeningScene& scene) {
+  OpeningPose pose;
+  pose.vertices = scene.sheet().places;
+  pose.light.assign(static_cast<std::size_t>(scene.light_columns() * scene.light_rows()), 0);
+  return pose;
+}
+
+double squares(const OpeningScene& scene, const OpeningPose& pose, const Image& seen) {
+  const OpeningView view = scene.view(pose);
+  double sum = 0;
+  for (int y = first_y; y < last_y; ++y)
+    for (int x = first_x; x < last_x; ++x)
+      sum += std::pow(view.at(x, y).grey - seen.pixels[static_cast<std::size_t>(y * test::eye_columns + x)], 2);
+  return sum;
+}
+
+// Lids open by a share q, below 0 one over the other; the upper one some pixels lower.
+OpeningPose shut_pose(const OpeningScene& scene, double q, double upper_px = 0) {
+  OpeningPose pose = pose_of(scene);
+  for (Place& p : pose.vertices) {
+    const double x = p[0] - test::eye_x, y = p[1] - test::eye_y;
+    const double to = test::skin_to(x, std::fabs(y), q);
+    p[1] = test::eye_y + (y < 0 ? upper_px - to : to);
+  }
+  return pose;
+}
+
 }  // namespace
 
 TEST(Outline, TellsHowFarAPlaceIsInsideOrOutside) {
@@ -46,14 +82,11 @@ TEST(Outline, TellsHowFarAPlaceIsInsideOrOutside) {
 
 TEST(OpeningScene, OfTheReferenceIsTheReference) {
   const DepthScan reference = eye_scan(1);
-  Outline outline;
-  for (const Landmark& p : eye_outline().points) outline.corners.push_back({p.x_px, p.y_px});
+  const Outline outline = eye_curve();
   const OpeningSheet sheet = opening_sheet(outline);
   const OpeningLayers layers = opening_layers(reference.picture, outline);
   const OpeningScene scene(sheet, layers);
-  OpeningPose pose;
-  pose.vertices = sheet.places;
-  pose.light.assign(static_cast<std::size_t>(scene.light_columns() * scene.light_rows()), 0);
+  OpeningPose pose = pose_of(scene);
   const OpeningView view = scene.view(pose);
   double sum = 0, count = 0;
   for (int y = first_y; y < last_y; ++y)
@@ -69,6 +102,51 @@ TEST(OpeningScene, OfTheReferenceIsTheReference) {
   const OpeningView lighter = scene.view(pose);
   EXPECT_GT(lighter.at(45, 30).grey, view.at(45, 30).grey + 5);
   EXPECT_EQ(lighter.at(45, 40).grey, view.at(45, 40).grey);
+}
+
+// A slit of less than a pixel: its upper lid a little lower covers more of every pixel that sees the slit.
+TEST(ShareSlopes, TellHowMuchMoreALidCoversWhereItMoves) {
+  const Outline outline = eye_curve();
+  const OpeningSheet sheet = opening_sheet(outline);
+  const OpeningLayers layers = opening_layers(eye_scan(1).picture, outline);
+  const OpeningScene scene(sheet, layers);
+  // Sums of squares of what is foretold, of what it is, and of what the two differ by.
+  const auto change = [&](double q, int left = first_x, int right = last_x) {
+    constexpr double step_px = 0.5;
+    const OpeningPose pose = shut_pose(scene, q);
+    const OpeningView view = scene.view(pose), before = scene.view(shut_pose(scene, q, -0.5 * step_px)),
+                      after = scene.view(shut_pose(scene, q, 0.5 * step_px));
+    const auto slopes = share_slopes(sheet, pose, view);
+    std::array<double, 3> squares{};
+    for (int y = first_y; y < last_y; ++y)
+      for (int x = left; x < right; ++x) {
+        double foretold = 0;
+        for (const ShareSlope& s : slopes[view.index(x, y)])
+          foretold += sheet.places[s.vertex][1] < test::eye_y ? step_px * s.slope[1] : 0;
+        const double is = after.at(x, y).share - before.at(x, y).share;
+        squares[0] += foretold * foretold;
+        squares[1] += is * is;
+        squares[2] += std::pow(foretold - is, 2);
+      }
+    return squares;
+  };
+  for (const double q : {0.1, 0.5}) {
+    const auto [foretold, is, off] = change(q);
+    EXPECT_GT(is, 1) << q;
+    EXPECT_LT(off, 0.05 * is) << q;
+  }
+  // Over the other lid, between the corners, it covers nothing.
+  EXPECT_EQ(change(-0.3, 38, 52)[0], 0);
+}
+
+TEST(FitOpening, MovesLidsToWhereTheFrameHasThem) {
+  const Outline outline = eye_curve();
+  const OpeningSheet sheet = opening_sheet(outline);
+  const OpeningLayers layers = opening_layers(eye_scan(1).picture, outline);
+  const OpeningScene scene(sheet, layers);
+  const Image seen = eye_scan(0.2).picture;
+  const OpeningPose from = shut_pose(scene, 0.5);
+  EXPECT_LT(squares(scene, fit_opening(scene, seen, from, from).pose, seen), 0.05 * squares(scene, from, seen));
 }
 
 TEST(FindOpenings, FindsTheEyeThatAStreamShuts) {
@@ -147,21 +225,39 @@ TEST(OpeningAxis, GoesFromCornerToCornerOfATiltedEye) {
 
 // The same eye in a picture twice as large has twice the skin about it.
 TEST(OpeningSheet, GrowsWithTheEye) {
-  Outline eye, large;
-  for (const Landmark& p : eye_outline().points) {
-    eye.corners.push_back({p.x_px, p.y_px});
-    large.corners.push_back({2 * p.x_px, 2 * p.y_px});
-  }
+  const Outline eye = eye_curve();
+  Outline large;
+  for (const Place& p : eye.corners) large.corners.push_back(2 * p);
   const OpeningSheet once = opening_sheet(eye), twice = opening_sheet(large);
   EXPECT_NEAR(twice.columns, 2 * once.columns, 3);
   EXPECT_NEAR(twice.rows, 2 * once.rows, 3);
   EXPECT_DOUBLE_EQ(twice.light_px, 2 * once.light_px);
 }
 
+// Lids move across an eye: the skin reaches farther there, also about an eye that stands upright.
+TEST(OpeningSheet, ReachesFartherAcrossAnEyeThanAlongIt) {
+  const Outline lying = eye_curve();
+  Outline standing;
+  for (const Place& p : lying.corners) standing.corners.push_back({p[1], p[0]});
+  const OpeningSheet sheet = opening_sheet(lying), turned = opening_sheet(standing);
+  const double columns_px = sheet_stride_px * (sheet.columns - 1), rows_px = sheet_stride_px * (sheet.rows - 1);
+  EXPECT_GE(rows_px - 2 * test::eye_half_height, columns_px - 2 * test::eye_half_width + 2);
+  EXPECT_NEAR(turned.columns, sheet.rows, 1);
+  EXPECT_NEAR(turned.rows, sheet.columns, 1);
+}
+
+// A vertex so near to the outline that its triangles would be slivers is put on it.
+TEST(OpeningSheet, HasNoVertexNextToTheEye) {
+  const Outline eye = eye_curve();
+  for (const Place& p : opening_sheet(eye).places) {
+    const double away = eye.distance(p);
+    EXPECT_TRUE(away < 0.1 || away > 0.5) << away;
+  }
+}
+
 // Every place of the sheet is outside of the eye, and its triangles leave out the eye's area and nothing else.
 TEST(OpeningSheet, HasAHoleWhereTheEyeIs) {
-  Outline eye;
-  for (const Landmark& p : eye_outline().points) eye.corners.push_back({p.x_px, p.y_px});
+  const Outline eye = eye_curve();
   const OpeningSheet sheet = opening_sheet(eye);
   double area = 0;
   for (const render::Triangle& t : sheet.triangles) {
