@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "nodes/render/rgb_image.h"
 
@@ -13,33 +14,35 @@ namespace {
 
 constexpr double blur_px = 0.7;
 
+cv::Mat numbers_of(const Image& picture, double exposure) {
+  const Image rgb = render::rgb_image(picture);
+  const cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data()));
+  cv::Mat numbers;
+  source.convertTo(numbers, CV_32FC3, 1.0 / (255.0 * exposure));
+  return numbers;
+}
+
 }  // namespace
 
-FloatPicture float_picture(const Image& picture, double exposure) {
-  const Image rgb = render::rgb_image(picture);
-  FloatPicture result{rgb.width, rgb.height, {}};
-  result.colours.resize(static_cast<std::size_t>(rgb.width) * static_cast<std::size_t>(rgb.height));
-  const cv::Mat source(rgb.height, rgb.width, CV_8UC3, const_cast<std::uint8_t*>(rgb.pixels.data()));
-  cv::Mat colours(rgb.height, rgb.width, CV_32FC3, result.colours.data());
-  source.convertTo(colours, CV_32FC3, 1.0 / (255.0 * exposure));
-  return result;
-}
-
-PictureLevel make_level(const FloatPicture& picture, double factor) {
-  PictureLevel level;
-  level.width = std::max(8, static_cast<int>(std::lround(picture.width * factor)));
-  level.height = std::max(8, static_cast<int>(std::lround(picture.height * factor)));
-  level.factor = static_cast<double>(level.width) / picture.width;
-  level.colours.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
-  const cv::Mat source(picture.height, picture.width, CV_32FC3, const_cast<Vec3f*>(picture.colours.data()));
-  cv::Mat small = source, colours(level.height, level.width, CV_32FC3, level.colours.data());
-  if (small.size() != colours.size()) cv::resize(source, small, colours.size(), 0, 0, cv::INTER_AREA);
-  cv::GaussianBlur(small, colours, {0, 0}, blur_px);
-  return level;
-}
-
 PictureLevel make_level(const Image& picture, double factor, double exposure) {
-  return make_level(float_picture(picture, exposure), factor);
+  return std::move(make_levels(picture, {factor}, exposure).front());
+}
+
+std::vector<PictureLevel> make_levels(const Image& picture, const std::vector<double>& factors, double exposure) {
+  std::vector<PictureLevel> levels(factors.size());
+  const cv::Mat numbers = numbers_of(picture, exposure);
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    PictureLevel& level = levels[i];
+    cv::Mat sharp = numbers;
+    level.width = std::max(8, static_cast<int>(std::lround(picture.width * factors[i])));
+    level.height = std::max(8, static_cast<int>(std::lround(picture.height * factors[i])));
+    level.factor = static_cast<double>(level.width) / picture.width;
+    level.colours.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+    cv::Mat colours(level.height, level.width, CV_32FC3, level.colours.data());
+    if (sharp.size() != colours.size()) cv::resize(numbers, sharp, colours.size(), 0, 0, cv::INTER_AREA);
+    cv::GaussianBlur(sharp, colours, {0, 0}, blur_px);
+  }
+  return levels;
 }
 
 namespace {

@@ -15,16 +15,11 @@ struct PictureLevel {
   std::vector<Vec3f> colours;  // per pixel: R G B
 };
 
-// A picture as numbers in [0, 1] over its exposure, of which levels are made.
-struct FloatPicture {
-  int width = 0, height = 0;
-  std::vector<Vec3f> colours;  // per pixel: R G B
-};
-FloatPicture float_picture(const Image& picture, double exposure = 1);
-
 // factor <= 1. Blurred a little, so that gradients reach as far as a pixel or two.
-PictureLevel make_level(const FloatPicture& picture, double factor);
 PictureLevel make_level(const Image& picture, double factor, double exposure = 1);
+
+// The same at several sizes.
+std::vector<PictureLevel> make_levels(const Image& picture, const std::vector<double>& factors, double exposure = 1);
 
 // R G B between the pixels; what lies outside is as at the edge.
 Vec3f colour_at(const PictureLevel& level, double x_px, double y_px);

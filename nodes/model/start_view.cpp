@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "nodes/model/light_model.h"
 #include "nodes/render/shade.h"
@@ -92,12 +93,12 @@ std::optional<Vec3f> reflectance_seen_at(const StartView& view, const Seen& seen
 }  // namespace
 
 StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
-                     const FloatPicture& picture, double factor) {
+                     PictureLevel level) {
   StartView result;
   result.state = state;
   result.points_mm = posed_skin(basis, identity, state.expression);
   result.normals = render::vertex_normals(result.points_mm, basis.triangles);
-  result.level = make_level(picture, factor);
+  result.level = std::move(level);
   result.triangles = basis.triangles;
   result.drawn = draw_skin(basis, result.points_mm, state.pose, result.level);
   return result;

@@ -20,7 +20,7 @@ struct StartView {
 };
 
 StartView start_view(const SkinBasis& basis, const std::vector<double>& identity, const PictureState& state,
-                     const FloatPicture& picture, double factor);
+                     PictureLevel level);
 
 // Gives points the reflectance that the picture shows there, the light undone; those that it does not show, or from the
 // side, or in the dark, keep their colours, which hold what they mirror. basis: of the points; it may have fewer

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "nodes/base/check.h"
 #include "nodes/model/likeness.h"
@@ -31,6 +31,7 @@ struct Stage {
   double eyes_px, steps;
 };
 constexpr Stage stages[] = {{30, 2.5}, {60, 1.5}, {110, 1}};
+constexpr std::size_t likeness_stage = 1;  // whose size is about likeness_eyes_px
 constexpr double usual_eye_distance_mm = 90;
 // Eyes and mouth are drawn dark, so shut lids and teeth look unlike: 32 of 146 frames of a made person. Up to this
 // difference the skin alone decides. The same person's frames come to 0.013, other persons' to 0.034 and more.
@@ -53,8 +54,8 @@ struct Tracker {
 };
 
 // A size of the frame, and of the start's picture where there is one.
-struct Sizes {
-  PictureLevel frame;
+struct Size {
+  const PictureLevel& frame;
   std::optional<StartView> start;
 };
 
@@ -66,15 +67,15 @@ struct Frame {
 
 PixelColumns columns_of(const Tracker& tracker) { return {0, 0, tracker.person.lidless.expressions, false, true}; }
 
-PixelRows compared_rows(Tracker& tracker, const Sizes& sizes, const PictureState& state) {
+PixelRows compared_rows(Tracker& tracker, const Size& size, const PictureState& state) {
   const TrackedPerson& person = tracker.person;
   const std::vector<Vec3f> posed_mm = posed_skin(person.lidless, as_is, state.expression);
-  const DrawnSkin drawn = draw_skin(person.lidless, posed_mm, state.pose, sizes.frame);
+  const DrawnSkin drawn = draw_skin(person.lidless, posed_mm, state.pose, size.frame);
   std::size_t visible = 0;
   std::vector<SkinPoint> points =
       choose_points(person.lidless, drawn, static_cast<std::size_t>(tracker.options.points), tracker.random, visible);
-  if (sizes.start) colour_points(*sizes.start, person.lidless, person.lips.at(state.expression), points);
-  return rows_at(points, person.lidless, posed_mm, person.colours, state, sizes.frame, columns_of(tracker));
+  if (size.start) colour_points(*size.start, person.lidless, person.lips.at(state.expression), points);
+  return rows_at(points, person.lidless, posed_mm, person.colours, state, size.frame, columns_of(tracker));
 }
 
 // Normal equations a x = b of a step.
@@ -147,27 +148,26 @@ void apply(const Tracker& tracker, const Vector& step, Frame& frame) {
   }
 }
 
-void take_step(Tracker& tracker, const Sizes& sizes, Frame& frame) {
-  const PixelRows rows = compared_rows(tracker, sizes, frame.state);
+void take_step(Tracker& tracker, const Size& size, Frame& frame) {
+  const PixelRows rows = compared_rows(tracker, size, frame.state);
   if (rows.residual.size() < 30) return;
-  Normal normal = pixel_equations(rows, sizes.start ? fine_kernel : usual_kernel, tracker.options.image_weight);
+  Normal normal = pixel_equations(rows, size.start ? fine_kernel : usual_kernel, tracker.options.image_weight);
   add_priors(tracker, frame, normal);
   part_lips(tracker, frame.state.expression, normal);
   apply(tracker, normal.a.ldlt().solve(normal.b), frame);
 }
 
 // Why the face is not believed to be where the state has it; empty where it is. image_rms: of frame and face.
-std::string doubt(const Tracker& tracker, const FloatPicture& picture, const PictureState& state, double image_rms) {
+std::string doubt(const Tracker& tracker, const PictureLevel& level, const PictureState& state, double image_rms) {
   if (!(image_rms <= tracker.options.max_image_rms))
     return message("frame and model differ by ", std::lround(100 * image_rms),
                    " % of the scale: the face is lost here; start anew after it");
   const TrackedPerson& person = tracker.person;
   LikenessFace face{tracker.model, person.skin, as_is, state, tracker.eyes_px, &person.colours};
-  const PictureLevel small = make_level(picture, std::min(1.0, likeness_eyes_px / tracker.eyes_px));
-  double seen = likeness(face, small);
+  double seen = likeness(face, level);
   if (seen < tracker.options.min_likeness && image_rms <= same_skin_rms) {
     face.skin_alone = true;
-    seen = likeness(face, small);
+    seen = likeness(face, level);
   }
   if (seen >= tracker.options.min_likeness) return "";
   return message("the frame does not look like the face of the first one (likeness ",
@@ -187,26 +187,26 @@ void check_sizes(const Image& frame, const FaceFit& start, const AlbedoMap& albe
         "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
 }
 
-// The pictures of the frame and of the start, at full size.
-struct Pictures {
-  FloatPicture frame;
-  std::optional<FloatPicture> start;
-};
-
-// Moves the frame from size to size; returns the last.
-PictureLevel follow(Tracker& tracker, const Pictures& pictures, Frame& frame) {
-  Sizes sizes;
+// Sizes at which a frame is compared, the smallest first.
+std::vector<double> factors_of(double eyes_px) {
+  std::vector<double> factors;
   for (const Stage& stage : stages) {
-    const double factor = std::min(1.0, stage.eyes_px / tracker.eyes_px);
-    const bool is_last = &stage == stages + std::size(stages) - 1 || stage.eyes_px >= tracker.eyes_px;
-    sizes.frame = make_level(pictures.frame, factor);
-    if (pictures.start)
-      sizes.start = start_view(tracker.person.skin, as_is, tracker.person.first, *pictures.start, factor);
-    const std::int64_t steps = std::llround(stage.steps * static_cast<double>(tracker.options.steps));
-    for (std::int64_t i = 0; i < steps; ++i) take_step(tracker, sizes, frame);
-    if (is_last) break;
+    factors.push_back(std::min(1.0, stage.eyes_px / eyes_px));
+    if (stage.eyes_px >= eyes_px) break;
   }
-  return std::move(sizes.frame);
+  return factors;
+}
+
+// levels: of the frame, and of the start's picture where there is one.
+void follow(Tracker& tracker, const std::vector<PictureLevel>& levels, std::vector<PictureLevel> start_levels,
+            Frame& frame) {
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    Size size{levels[i], std::nullopt};
+    if (!start_levels.empty())
+      size.start = start_view(tracker.person.skin, as_is, tracker.person.first, std::move(start_levels[i]));
+    const std::int64_t steps = std::llround(stages[i].steps * static_cast<double>(tracker.options.steps));
+    for (std::int64_t n = 0; n < steps; ++n) take_step(tracker, size, frame);
+  }
 }
 
 }  // namespace
@@ -235,19 +235,21 @@ TrackVideoResult track_video(const MorphableModel& model, const Image& frame, co
   state.pose = pose_of(before.camera, turning_point(model));
   state.expression = tracker.expression_before;
   state.seen = shadow_of(person.skin, as_is, state);
-  Pictures pictures{float_picture(frame), std::nullopt};
+  tracker.eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
+  const std::vector<double> factors = factors_of(tracker.eyes_px);
+  const std::vector<PictureLevel> levels = make_levels(frame, factors);
+  std::vector<PictureLevel> start_levels;
   if (picture != nullptr) {
     person.first.seen = shadow_of(person.skin, as_is, person.first);
-    pictures.start = float_picture(*picture);
+    start_levels = make_levels(*picture, factors);
   }
-  tracker.eyes_px = usual_eye_distance_mm * std::exp(state.pose.log_scale);
-  const PictureLevel level = follow(tracker, pictures, moving);
+  follow(tracker, levels, std::move(start_levels), moving);
 
   state.light.mirror = {0, 0};
-  const PixelRows rows =
-      pixel_rows(person.skin, as_is, person.colours, state, level, {0, 0, 0, false}, judged_points, tracker.random);
+  const PixelRows rows = pixel_rows(person.skin, as_is, person.colours, state, levels.back(), {0, 0, 0, false},
+                                    judged_points, tracker.random);
   fit.image_rms = trimmed_rms(rows.residual);
-  fit.problem = doubt(tracker, pictures.frame, state, fit.image_rms);
+  fit.problem = doubt(tracker, levels[std::min(likeness_stage, levels.size() - 1)], state, fit.image_rms);
   fit.converged = fit.problem.empty();
   // The next frame starts from the last one that was believed, not from where a lost one has drifted to.
   if (!fit.converged) return result;

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::model;
 
-NODE("model.track_video", &track_video, version{8},
+NODE("model.track_video", &track_video, version{9},
      doc{"Follows a fitted head and its mouth through a video, frame by frame, by what it looks like."},
      input{"model", "The morphable model"}, input{"frame", "The video's frames"},
      input{"start", "The fit of the first frame"}, input{"albedo", "The face's colours, of texture.extract"},

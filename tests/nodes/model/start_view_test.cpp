@@ -34,7 +34,7 @@ struct World {
     state.light = {{0.5f, 0.6f, 0.7f}, {0.6f, 0.5f, 0.4f}, {0.3f, 0.4f, 0.866f}, 0.9f,
                    {1.1f, 1, 0.9f},    {0.01f, 0, 0.02f},  {0.02f, 0.03f}};
   }
-  StartView view() const { return start_view(basis, identity, state, float_picture(picture), 1); }
+  StartView view() const { return start_view(basis, identity, state, make_level(picture, 1)); }
   std::vector<Vec3f> posed_mm() const { return posed_skin(basis, identity, state.expression); }
 };
 
