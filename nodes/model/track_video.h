@@ -13,7 +13,7 @@ namespace face::model {
 struct TrackVideoOptions {
   std::int64_t expressions = 40;  // leading components that move; the paper: 4
   std::int64_t points = 1500;     // random pixels per step
-  std::int64_t steps = 4;         // at the largest size; 1.5 times as many at the middle, 2.5 at the smallest
+  std::int64_t steps = 4;         // at the largest size; 1.5 times as many at the middle, 5 at the smallest
   double image_weight = 1200;     // how many independent points a frame counts as
   double change_sigma = 0.6;      // of a coefficient from frame to frame, over its own sigma
   double turn_sigma_deg = 1.2;    // of the head from frame to frame
