@@ -19,11 +19,9 @@ using namespace face;
 inline FaceFit true_fit(double yaw_deg) {
   const Scene scene = make_scene(yaw_deg, 320, 320);
   FaceFit fit;
-  const Vec3f centre = model::turning_point(head_model());
   model::FacePose pose = model::pose_of(scene.camera, {0, 0, 0});
   for (std::size_t i = 0; i < 9; ++i) pose.rotation[i] = scene.world_from_head.rotation[i];
   fit.camera = model::camera_of(pose);
-  (void)centre;
   fit.image_width_px = fit.image_height_px = 320;
   fit.identity.assign(head_model().identity.size(), 0.0f);
   fit.albedo.assign(head_model().albedo.size(), 0.0f);

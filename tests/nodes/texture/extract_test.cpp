@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "nodes/model/pose_model.h"
@@ -21,6 +22,30 @@ using namespace face::texture;
 using namespace test;
 
 namespace {
+
+// A face as true_fit(0) has it, with lips' colour all over.
+struct LipsEverywhere {
+  LipsEverywhere() {
+    fit.lip_gap_mm = 6;
+    AlbedoMap map = striped_map();
+    std::fill(map.albedo.begin(), map.albedo.end(), Vec3f{0.4f, 0.15f, 0.12f});
+    picture = drawn(fit, map, rest());
+    screen = render::project(fit.camera, model.mean.points_mm);
+  }
+  void paint(int x, int y, std::uint8_t grey) {
+    for (std::size_t c = 0; c < 3; ++c) picture.pixels[static_cast<std::size_t>(3 * (y * 320 + x)) + c] = grey;
+  }
+
+  const MorphableModel& model = test::head_model();
+  FaceFit fit = true_fit(0);
+  Image picture;
+  std::vector<render::ScreenPoint> screen;  // of the model's vertices
+};
+
+// Of a map of 512 x 512.
+const Vec3f& texel_at(const AlbedoMap& map, const Vec2f& uv) {
+  return map.albedo[static_cast<std::size_t>((1 - uv[1]) * 511) * 512 + static_cast<std::size_t>(uv[0] * 511)];
+}
 
 TEST(Extract, GetsBackTheColoursThatWereDrawn) {
   const FaceFit fit = true_fit(10);
@@ -57,30 +82,21 @@ TEST(Extract, RejectsAPictureOfAnotherSize) {
 
 // A fit that is a pixel or two off paints teeth on the lips; at rest they would stay there as a pale line.
 TEST(Extract, ReadsNoTeethOnLips) {
-  FaceFit fit = true_fit(0);
-  fit.lip_gap_mm = 6;
-  const MorphableModel& model = test::head_model();
-  AlbedoMap lips = striped_map();
-  std::fill(lips.albedo.begin(), lips.albedo.end(), Vec3f{0.4f, 0.15f, 0.12f});
-  Image picture = drawn(fit, lips, rest());
-  const std::vector<render::ScreenPoint> screen = render::project(fit.camera, model.mean.points_mm);
-  const auto place = [&](std::size_t mark) { return screen[model.landmarks68[mark]]; };
+  LipsEverywhere face;
+  const auto place = [&](std::size_t mark) { return face.screen[face.model.landmarks68[mark]]; };
   // As wide as the inner lips, and into the lower lip.
   const int top = static_cast<int>(place(66).y_px), bottom = top + 3;
   const int right = static_cast<int>(place(61).x_px), left = static_cast<int>(place(63).x_px);
   for (int y = top; y <= bottom; ++y)
-    for (int x = right; x <= left; ++x)
-      for (std::size_t c = 0; c < 3; ++c) picture.pixels[static_cast<std::size_t>(3 * (y * 320 + x)) + c] = 200;
-  const AlbedoMap found = extract(model, picture, fit, {.size_px = 512});
-  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
+    for (int x = right; x <= left; ++x) face.paint(x, y, 200);
+  const AlbedoMap found = extract(face.model, face.picture, face.fit, {.size_px = 512});
+  const model::SkinAtlas atlas = model::make_skin_atlas(face.model.mean);
   double palest = 0;
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const render::ScreenPoint& at = screen[atlas.triangles[t][i]];
+      const render::ScreenPoint& at = face.screen[atlas.triangles[t][i]];
       if (at.x_px < right + 1 || at.x_px > left - 1 || at.y_px < top || at.y_px > bottom) continue;
-      const Vec2f& uv = atlas.uvs[atlas.corners[t][i]];
-      const Vec3f& colour =
-          found.albedo[static_cast<std::size_t>((1 - uv[1]) * 511) * 512 + static_cast<std::size_t>(uv[0] * 511)];
+      const Vec3f& colour = texel_at(found, atlas.uvs[atlas.corners[t][i]]);
       if (colour[0] > 0) palest = std::max(palest, static_cast<double>(colour[1] / colour[0]));
     }
   EXPECT_GT(palest, 0);
@@ -89,28 +105,19 @@ TEST(Extract, ReadsNoTeethOnLips) {
 
 // The corners of a smile are dark; a fit whose mouth is narrower paints them on the lips.
 TEST(Extract, ReadsNoDarkCornersOfTheMouthOnLips) {
-  FaceFit fit = true_fit(0);
-  fit.lip_gap_mm = 6;
-  const MorphableModel& model = test::head_model();
-  AlbedoMap lips = striped_map();
-  std::fill(lips.albedo.begin(), lips.albedo.end(), Vec3f{0.4f, 0.15f, 0.12f});
-  Image picture = drawn(fit, lips, rest());
-  const std::vector<render::ScreenPoint> screen = render::project(fit.camera, model.mean.points_mm);
-  const render::ScreenPoint& corner = screen[model.landmarks68[48]];
+  LipsEverywhere face;
+  const render::ScreenPoint& corner = face.screen[face.model.landmarks68[48]];
   const auto near_corner = [&](float x, float y) { return std::hypot(x - corner.x_px - 4, y - corner.y_px + 7) < 5; };
   for (int y = 0; y < 320; ++y)
     for (int x = 0; x < 320; ++x)
-      for (std::size_t c = 0; c < 3 && near_corner(static_cast<float>(x), static_cast<float>(y)); ++c)
-        picture.pixels[static_cast<std::size_t>(3 * (y * 320 + x)) + c] = 25;
-  const AlbedoMap found = extract(model, picture, fit, {.size_px = 512});
-  const model::SkinAtlas atlas = model::make_skin_atlas(model.mean);
+      if (near_corner(static_cast<float>(x), static_cast<float>(y))) face.paint(x, y, 25);
+  const AlbedoMap found = extract(face.model, face.picture, face.fit, {.size_px = 512});
+  const model::SkinAtlas atlas = model::make_skin_atlas(face.model.mean);
   double darkest = 1;
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t) {
-    const render::ScreenPoint& at = screen[atlas.triangles[t][0]];
+    const render::ScreenPoint& at = face.screen[atlas.triangles[t][0]];
     if (at.depth_mm > corner.depth_mm + 10 || !near_corner(at.x_px, at.y_px)) continue;
-    const Vec2f& uv = atlas.uvs[atlas.corners[t][0]];
-    const Vec3f& colour =
-        found.albedo[static_cast<std::size_t>((1 - uv[1]) * 511) * 512 + static_cast<std::size_t>(uv[0] * 511)];
+    const Vec3f& colour = texel_at(found, atlas.uvs[atlas.corners[t][0]]);
     if (colour[0] > 0) darkest = std::min(darkest, static_cast<double>(colour[0]));
   }
   EXPECT_LT(darkest, 1);
