@@ -14,15 +14,25 @@
 namespace face::decode {
 namespace {
 
+constexpr double most_points = 1LL << 62, most_px = 100000;
+
 static_assert(std::endian::native == std::endian::little, "binary PLY is read as it lies in memory");
 
 struct Property {
   std::string type, name;
+  // 0 of what is no type.
   std::size_t bytes() const {
     if (type == "char" || type == "uchar" || type == "int8" || type == "uint8") return 1;
     if (type == "short" || type == "ushort" || type == "int16" || type == "uint16") return 2;
+    if (type == "int" || type == "uint" || type == "int32" || type == "uint32") return 4;
+    if (type == "float" || type == "float32") return 4;
     if (type == "double" || type == "float64") return 8;
-    return 4;
+    return 0;
+  }
+  // The value of full light, as a colour.
+  double full() const {
+    if (type == "ushort" || type == "uint16") return 65535;
+    return type.starts_with("float") || type == "double" ? 1 : 255;
   }
 };
 
@@ -96,9 +106,9 @@ Cloud read_ply(const std::string& bytes, const std::string& title) {
   while (!ended && lines.next(line)) {
     const auto words = words_of(line);
     if (words.empty()) continue;
-    const auto integer = [&](std::size_t i) {
+    const auto integer = [&](std::size_t i, double most) {
       double value = -1;
-      if (i >= words.size() || !parse_number(words[i], value) || value < 0)
+      if (i >= words.size() || !parse_number(words[i], value) || !(value >= 0 && value < most))
         fail(title, " line ", lines.number(), ": found \"", line, "\", expected a count");
       return value;
     };
@@ -108,16 +118,18 @@ Cloud read_ply(const std::string& bytes, const std::string& title) {
         fail(title, " line ", lines.number(), ": found \"", line, "\", expected ascii or binary_little_endian");
     } else if (words[0] == "element") {
       in_vertices = words.size() > 2 && words[1] == "vertex";
-      if (in_vertices) count = static_cast<std::size_t>(integer(2));
+      if (in_vertices) count = static_cast<std::size_t>(integer(2, most_points));
       check(in_vertices || !properties.empty(), title, " line ", lines.number(), ": found \"", line,
             "\", expected the vertices first");
     } else if (words[0] == "property" && in_vertices) {
       if (words.size() != 3 || words[1] == "list")
         fail(title, " line ", lines.number(), ": found \"", line, "\", expected a number per vertex");
       properties.push_back({std::string(words[1]), std::string(words[2])});
+      if (properties.back().bytes() == 0)
+        fail(title, " line ", lines.number(), ": found \"", line, "\", expected a type of number (char to double)");
     } else if ((words[0] == "comment" || words[0] == "obj_info") && words.size() == 3) {
-      if (words[1] == "width" || words[1] == "num_cols") cloud.width = static_cast<int>(integer(2));
-      if (words[1] == "height" || words[1] == "num_rows") cloud.height = static_cast<int>(integer(2));
+      if (words[1] == "width" || words[1] == "num_cols") cloud.width = static_cast<int>(integer(2, most_px));
+      if (words[1] == "height" || words[1] == "num_rows") cloud.height = static_cast<int>(integer(2, most_px));
     } else if (words[0] == "end_header") {
       ended = true;
     }
@@ -134,9 +146,10 @@ Cloud read_ply(const std::string& bytes, const std::string& title) {
   const bool coloured = at[3] < properties.size() && at[4] < properties.size() && at[5] < properties.size();
   std::size_t stride = 0;
   for (const Property& p : properties) stride += p.bytes();
-  std::size_t byte = lines.byte();
-  if (binary && bytes.size() < byte + count * stride)
-    fail(title, ": ends at byte ", bytes.size(), ", expected ", byte + count * stride, " for ", count, " points");
+  std::size_t byte = std::min(lines.byte(), bytes.size());
+  if (binary && (bytes.size() - byte) / stride < count)
+    fail(title, ": ends at byte ", bytes.size(), ", expected ", count, " points of ", stride, " bytes from byte ", byte,
+         " on");
   std::vector<double> values(properties.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (binary) {
@@ -152,7 +165,10 @@ Cloud read_ply(const std::string& bytes, const std::string& title) {
           fail(title, " line ", lines.number(), ": found \"", line, "\", expected ", properties.size(), " numbers");
     }
     cloud.points.push_back({values[at[0]], values[at[1]], values[at[2]]});
-    if (coloured) cloud.colors.push_back({colour(values[at[3]]), colour(values[at[4]]), colour(values[at[5]])});
+    if (!coloured) continue;
+    cloud.colors.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      cloud.colors.back()[k] = colour(values[at[3 + k]] * 255 / properties[at[3 + k]].full());
   }
   return cloud;
 }
@@ -161,6 +177,7 @@ Cloud read_xyz(const std::string& bytes, const std::string& title) {
   Lines lines(bytes);
   std::string_view line;
   Cloud cloud;
+  std::vector<std::array<double, 3>> colours;
   while (lines.next(line)) {
     const auto words = words_of(line);
     if (words.empty() || words[0].starts_with('#')) continue;
@@ -169,11 +186,22 @@ Cloud read_xyz(const std::string& bytes, const std::string& title) {
     for (std::size_t k = 0; good && k < words.size(); ++k) good = parse_number(words[k], values[k]);
     if (!good) fail(title, " line ", lines.number(), ": found \"", line, "\", expected x y z, or x y z r g b");
     cloud.points.push_back({values[0], values[1], values[2]});
-    if (words.size() == 6) cloud.colors.push_back({colour(values[3]), colour(values[4]), colour(values[5])});
-    check(cloud.colors.empty() || cloud.colors.size() == cloud.points.size(), title, " line ", lines.number(),
+    if (words.size() == 6) colours.push_back({values[3], values[4], values[5]});
+    check(colours.empty() || colours.size() == cloud.points.size(), title, " line ", lines.number(),
           ": some points have colours and some have none");
   }
   check(!cloud.points.empty(), title, ": holds no points");
+  // Shares of full light, or 0 to 255.
+  bool fractions = false;
+  double largest = 0;
+  for (const auto& c : colours)
+    for (const double value : c) {
+      fractions = fractions || value != std::floor(value);
+      largest = std::max(largest, value);
+    }
+  const double scale = fractions && largest <= 1 ? 255 : 1;
+  for (const auto& c : colours)
+    cloud.colors.push_back({colour(scale * c[0]), colour(scale * c[1]), colour(scale * c[2])});
   return cloud;
 }
 

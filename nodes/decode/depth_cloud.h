@@ -17,8 +17,8 @@ struct Cloud {
 
 // Reads PLY (ASCII or binary little endian; vertices x y z and, where they have them, red green blue; "comment width W"
 // and "comment height H", or "obj_info num_cols W" and "obj_info num_rows H", tell its rows) or XYZ (three or six
-// numbers per line, "nan" or zeros where nothing was measured), told by the file's first bytes. Throws, naming file,
-// line or byte, where it is neither or is cut off.
+// numbers per line, "nan" or zeros where nothing was measured), told by the file's first bytes. Colours are of 8 or 16
+// bits, or shares of 1. Throws, naming file, line or byte, where it is neither or is cut off.
 Cloud read_cloud(const std::string& bytes, const std::string& title);
 
 }  // namespace face::decode

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::decode;
 
-NODE("decode.depth_take", &depth_take, version{3},
+NODE("decode.depth_take", &depth_take, version{4},
      doc{"Reads one take of a recorded stream of scans: depth pictures (PNG, EXR) or organised clouds (PLY, XYZ), "
          "pictures, masks and camera.json. What is wrong with a frame is named with its number; the rest is kept."},
      input{"folder", "A folder with camera.json, depth/TAKE/17.png and the like"},

@@ -23,6 +23,14 @@ nlohmann::ordered_json read_json(const engine::File& file) {
     const std::size_t column = newline == std::string::npos ? byte + 1 : byte - newline;
     fail(title_of(file), " line ", line, " column ", column, ": is not JSON: found ",
          byte < text.size() ? "'" + text.substr(byte, 1) + "'" : "the end of the file", " where the text cannot go on");
+  } catch (const nlohmann::ordered_json::out_of_range& error) {
+    // "... number overflow parsing '1e400'"
+    const std::string said = error.what();
+    const std::size_t quote = std::min(said.find('\''), said.size() - 1);
+    const std::string number = said.substr(quote + 1, said.rfind('\'') - quote - 1);
+    const auto at = text.begin() + static_cast<std::ptrdiff_t>(std::min(text.find(number), text.size()));
+    fail(title_of(file), " line ", 1 + std::count(text.begin(), at, '\n'), ": found ", number,
+         ", expected a number of at most 1.8e308 in size");
   }
 }
 

@@ -78,12 +78,23 @@ void scale_to(const Image& image, ReadLandmarksResult& result) {
   result.image_height_px = image.height;
 }
 
-void check_sides(const Landmarks& landmarks, const std::string& title) {
+// Of the points of a clip, which are those of a face that is more upright than lying.
+void check_places(const Landmarks& landmarks, const std::string& title) {
   for (const auto& [right, left] : {std::pair{"eye_inner_r", "eye_inner_l"}, {"lip_0", "lip_6"}, {"jaw_r", "jaw_l"}}) {
     const Landmark *const r = find_landmark(landmarks, right), *const l = find_landmark(landmarks, left);
     if (r && l && r->x_px >= l->x_px)
       fail(title, ": ", right, " lies at ", r->x_px, ", ", r->y_px, ", right of ", left, " at ", l->x_px, ", ", l->y_px,
            "; _r (and lip_0) is the face's own right, which is left in the picture: are the names swapped?");
+  }
+  for (const auto& [above, below] : {std::pair{"eye_inner_r", "lip_9"},
+                                     {"eye_inner_l", "lip_9"},
+                                     {"nose_tip", "lip_9"},
+                                     {"lip_3", "lip_9"},
+                                     {"lip_9", "chin"}}) {
+    const Landmark *const a = find_landmark(landmarks, above), *const b = find_landmark(landmarks, below);
+    if (a && b && a->y_px > b->y_px)
+      fail(title, ": ", above, " lies at ", a->x_px, ", ", a->y_px, ", below ", below, " at ", b->x_px, ", ", b->y_px,
+           ": are the names swapped, or the picture upside down?");
   }
 }
 
@@ -224,7 +235,7 @@ ReadLandmarksResult read_landmarks(const engine::File& file, const Image* image,
   if (options.names == LandmarkNames::clip) {
     if (landmarks.points.size() == 68 && landmarks.points[0].name == "00")
       landmarks = clip_points_of_multi_pie(landmarks);
-    check_sides(landmarks, title);
+    check_places(landmarks, title);
   }
   return result;
 }

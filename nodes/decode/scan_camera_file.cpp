@@ -27,6 +27,13 @@ double positive_of(const Json& json, const char* key, double otherwise, const st
   return value;
 }
 
+int whole_of(const Json& json, const char* key, int otherwise, int most, const std::string& title) {
+  const double value = number_of(json, key, otherwise, title);
+  if (json.contains(key) && !(value >= 1 && value <= most && value == std::floor(value)))
+    fail(title, " at /", key, ": found ", value, ", expected a whole number from 1 to ", most);
+  return static_cast<int>(value);
+}
+
 template <class Numbers>
 void numbers_of(const Json& json, const char* key, const std::string& title, Numbers& out) {
   if (!json.contains(key)) return;
@@ -35,6 +42,23 @@ void numbers_of(const Json& json, const char* key, const std::string& title, Num
     fail(title, " at /", key, ": found ", describe_json(list), ", expected ", out.size(), " numbers");
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = static_cast<float>(json_number(list[i], title, message("/", key, "/", i)));
+}
+
+// Numbers of a file have few digits.
+void check_rotation(const std::array<float, 9>& m, const std::string& title) {
+  constexpr float rounding = 1e-3f;
+  bool rigid = true;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      float product = 0;
+      for (std::size_t k = 0; k < 3; ++k) product += m[3 * a + k] * m[3 * b + k];
+      rigid = rigid && std::fabs(product - (a == b ? 1.0f : 0.0f)) < rounding;
+    }
+  const float volume =
+      m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+  if (!rigid || volume < 0)
+    fail(title, " at /cam_from_world: found a matrix that ", rigid ? "mirrors" : "stretches or shears",
+         ", expected a rotation (three rows of length 1 at right angles to each other)");
 }
 
 double length_unit_of(const Json& json, const std::string& title) {
@@ -79,10 +103,9 @@ ScanCameraFile read_scan_camera(const engine::File& file) {
   if (!(fx > 0) || !(fy > 0)) fail(title, ": fx is ", fx, " and fy ", fy, " px, expected both more than 0");
   const double cx = json_number(json_member(json, "cx", title, ""), title, "/cx");
   const double cy = json_number(json_member(json, "cy", title, ""), title, "/cy");
-  out.width_px = static_cast<int>(number_of(json, "width", 0, title));
-  out.height_px = static_cast<int>(number_of(json, "height", 0, title));
-  if (out.width_px < 0 || out.height_px < 0)
-    fail(title, ": the picture is ", out.width_px, " x ", out.height_px, " pixels, expected more than 0");
+  constexpr int most_px = 100000, most_grey = 65535;
+  out.width_px = whole_of(json, "width", 0, most_px, title);
+  out.height_px = whole_of(json, "height", 0, most_px, title);
   check_view(fx, cx, out.width_px, "width", title);
   check_view(fy, cy, out.height_px, "height", title);
   for (const char* key : {"distortion", "dist_coeffs", "distortion_coefficients"})
@@ -102,7 +125,7 @@ ScanCameraFile read_scan_camera(const engine::File& file) {
   out.depth_unit_mm = positive_of(json, "depth_unit_mm", 1, title);
   out.length_unit_mm = length_unit_of(json, title);
   out.rate_hz = positive_of(json, "rate_hz", 40, title);
-  out.mask_from = static_cast<int>(positive_of(json, "mask_value", 1, title));
+  out.mask_from = whole_of(json, "mask_value", 1, most_grey, title);
   out.camera.focal_px = static_cast<float>(fx);
   out.camera.centre_x_px = static_cast<float>(cx);
   out.camera.centre_y_px = static_cast<float>(cy);
@@ -111,6 +134,7 @@ ScanCameraFile read_scan_camera(const engine::File& file) {
     fail(title, ": fx is ", fx, " and fy ", fy, " px, expected pixels less than twice as high as wide, or the reverse");
   out.camera.position_mm = {0, 0, 0};
   numbers_of(json, "cam_from_world", title, out.camera.cam_from_world);
+  check_rotation(out.camera.cam_from_world, title);
   numbers_of(json, "position_mm", title, out.camera.position_mm);
   return out;
 }

@@ -189,6 +189,54 @@ TEST(DepthTake, ReadsOrganisedCloudsWithTheirColours) {
   }
 }
 
+// As Open3D and NumPy write them: colours as shares of 1. They came out black.
+TEST(DepthTake, ReadsColoursOfCloudsThatAreSharesOfOne) {
+  const std::vector<int> depth = ball();
+  std::string xyz, floats, shorts;
+  for (int i = 0; i < width * height; ++i) {
+    const double z = 0.1 * depth[static_cast<std::size_t>(i)];
+    const std::string place = std::to_string((i % width - 31.5) * z / 200) + " " +
+                              std::to_string((i / width - 23.5) * z / 200) + " " + std::to_string(z);
+    xyz += place + " 0.2 1 0.5\n";
+    shorts += place + " 13107 65535 32768\n";
+  }
+  const auto ply = [](const std::string& type, const std::string& rows) {
+    return "ply\nformat ascii 1.0\nelement vertex 3072\nproperty float x\nproperty float y\nproperty float "
+           "z\nproperty " +
+           type + " red\nproperty " + type + " green\nproperty " + type + " blue\nend_header\n" + rows;
+  };
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"cloud/a/7.xyz", xyz},
+                                   {"cloud/a/7.ply", ply("float", xyz)},
+                                   {"cloud/a/7.ply", ply("ushort", shorts)}}) {
+    Stream stream;
+    stream.write(name, text);
+    stream.read();
+    ASSERT_EQ(stream.scans.size(), 1u) << name;
+    const auto& pixels = stream.scans[0].picture.pixels;
+    EXPECT_EQ((std::vector<int>{pixels[0], pixels[1], pixels[2]}), (std::vector<int>{51, 255, 128})) << name;
+  }
+}
+
+// A count so large that the bytes it asks for overflow was read beyond the file's end.
+TEST(DepthTake, NamesACloudWhoseHeaderCannotBe) {
+  const auto trouble = [](const std::string& count, const std::string& type) {
+    Stream stream;
+    stream.write("cloud/a/0.ply", "ply\nformat binary_little_endian 1.0\nelement vertex " + count + "\nproperty " +
+                                      type + " x\nproperty float y\nproperty float z\nend_header\n0123456789ab");
+    const std::string text = why_nothing_is_left(stream);
+    return text.substr(text.find("cloud/a/0.ply"));
+  };
+  EXPECT_EQ(
+      trouble("1152921504606846976", "double"),
+      "cloud/a/0.ply: ends at byte 146, expected 1152921504606846976 points of 16 bytes from byte 134 on; the take "
+      "is left out");
+  EXPECT_EQ(trouble("1e300", "float"),
+            "cloud/a/0.ply line 3: found \"element vertex 1e300\", expected a count; the take is left out");
+  EXPECT_EQ(trouble("1", "half"),
+            "cloud/a/0.ply line 4: found \"property half x\", expected a type of number (char to double); the take is "
+            "left out");
+}
+
 TEST(DepthTake, MakesPixelsSquare) {
   // Rows twice as dense as columns.
   Stream stream(R"({"fx": 200, "fy": 300, "cx": 31.5, "cy": 23.5, "depth_unit_mm": 0.1})");
@@ -441,6 +489,20 @@ TEST(DepthTake, RejectsACameraFileThatCannotBe) {
       "150");
   EXPECT_EQ(message(R"({"fx": 500, "cx": 900, "cy": 1, "width": 640, "height": 480})"),
             "camera.json: the centre is at 900 px of width, expected a place in the picture, 0 to 639");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "width": 640.5, "height": 480})"),
+            "camera.json at /width: found 640.5, expected a whole number from 1 to 100000");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "width": 640, "height": 1e30})"),
+            "camera.json at /height: found 1e+30, expected a whole number from 1 to 100000");
+  EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "mask_value": 0.5})"),
+            "camera.json at /mask_value: found 0.5, expected a whole number from 1 to 65535");
+  EXPECT_EQ(
+      message(R"({"fx": 500, "cx": 1, "cy": 1, "cam_from_world": [1, 0, 0, 0, 1, 0, 0, 0, -1]})"),
+      "camera.json at /cam_from_world: found a matrix that mirrors, expected a rotation (three rows of length 1 at "
+      "right angles to each other)");
+  EXPECT_EQ(
+      message(R"({"fx": 500, "cx": 1, "cy": 1, "cam_from_world": [0, 0, 0, 0, 0, 0, 0, 0, 0]})"),
+      "camera.json at /cam_from_world: found a matrix that stretches or shears, expected a rotation (three rows of "
+      "length 1 at right angles to each other)");
   EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "distortion": [0, 0.1]})"),
             "camera.json at /distortion: found [0,0.1], expected zeros: undistort depth and pictures first");
   EXPECT_EQ(message(R"({"fx": 500, "cx": 1, "cy": 1, "depth_scale": 0.001})"),

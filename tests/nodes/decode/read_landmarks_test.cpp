@@ -56,6 +56,8 @@ TEST(ReadLandmarks, RejectsWhatIsNoLandmarkFile) {
   EXPECT_THROW_TEXT(landmarks(""), "points.json: is empty, expected JSON");
   EXPECT_THROW_TEXT(landmarks("{\"image_size\": [360,\n 288], \"points\" }"),
                     "points.json line 2 column 17: is not JSON: found '}' where the text cannot go on");
+  EXPECT_THROW_TEXT(landmarks("{\"image_size\": [360, 288],\n \"points\": {\"a\": [1e400, 2]}}"),
+                    "points.json line 2: found 1e400, expected a number of at most 1.8e308 in size");
   EXPECT_THROW_TEXT(landmarks("{\"points\": {}}"),
                     "points.json: found {\"points\":{}}, expected an object with \"image_size\"");
   EXPECT_THROW_TEXT(landmarks(R"({"image_size": [1, 2]})"),
@@ -183,6 +185,26 @@ TEST(ReadLandmarks, TakesAClipsPointsFromMultiPiesAndLeavesItsOwn) {
   EXPECT_THROW_TEXT(read(R"("eye_inner_r": [5, 2], "eye_inner_l": [3, 2])"),
                     "p.json: eye_inner_r lies at 5, 2, right of eye_inner_l at 3, 2; _r (and lip_0) is the face's own "
                     "right, which is left in the picture: are the names swapped?");
+}
+
+// Were followed without a word: a nose that is called chin, an upper lip that is called lower.
+TEST(ReadLandmarks, RejectsPointsOfAClipWhoseNamesAreSwappedFromAboveToBelow) {
+  const test::Temporary temporary;
+  const auto read = [&](const std::string& list) {
+    return read_landmarks(
+        engine::File::at(temporary.write("p.json", R"({"image_size": [100, 100], "points": {)" + list + "}}")), nullptr,
+        {LandmarkNames::clip, -1});
+  };
+  EXPECT_EQ(
+      read(R"("nose_tip": [50, 40], "lip_3": [50, 60], "lip_9": [50, 70], "chin": [50, 90])").landmarks.points.size(),
+      4u);
+  EXPECT_THROW_TEXT(
+      read(R"("nose_tip": [50, 90], "lip_9": [50, 70], "chin": [50, 40])"),
+      "p.json: nose_tip lies at 50, 90, below lip_9 at 50, 70: are the names swapped, or the picture upside "
+      "down?");
+  EXPECT_THROW_TEXT(read(R"("lip_3": [50, 70], "lip_9": [50, 60])"),
+                    "p.json: lip_3 lies at 50, 70, below lip_9 at 50, 60: are the names swapped, or the picture upside "
+                    "down?");
 }
 
 TEST(ReadLandmarks, RejectsAnImageOfAnotherShapeAndOtherFiles) {
