@@ -30,8 +30,9 @@ struct FitImageOptions {
 // paper: Gauss-Newton steps instead of gradient descent, two lobes of mirrored light (what shines on a ridge is taken
 // for relief without them), robust weights (what no model explains, hair above all, counts little), sRGB decoded before
 // light is computed, no lip may run into the other, a dark picture is fitted as if its skin were of usual brightness
-// (gain and offset tell), and mouths that are shut, or nearly, are tried both ways.
+// (gain and offset tell), and mouths that are shut, or nearly, are tried both ways. A fit that is not to be believed is
+// a warning, too.
 FaceFit fit_image(const MorphableModel& model, const Image& picture, const Landmarks& landmarks,
-                  const FitImageOptions& options = {});
+                  const FitImageOptions& options, engine::Progress& progress);
 
 }  // namespace face::model

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "nodes/base/check.h"
 #include "nodes/model/face_pose.h"
 #include "nodes/model/pose_model.h"
 
@@ -106,10 +107,11 @@ std::vector<double> most_probable_correction(const std::vector<double>& second_d
   return added;
 }
 
-void smooth_track(const MorphableModel& model, const engine::Seq<FaceFit>& fits, engine::SeqWriter<FaceFit>& smoothed) {
+void smooth_track(const MorphableModel& model, const engine::Seq<FaceFit>& fits, engine::SeqWriter<FaceFit>& smoothed,
+                  engine::Progress& progress) {
   const Vec3f middle = turning_point(model);
   std::vector<FacePose> poses;
-  std::size_t written = 0;
+  std::size_t written = 0, first_lost = 0;
   const auto finish = [&] {
     smooth(poses);
     for (const FacePose& pose : poses) {
@@ -126,6 +128,10 @@ void smooth_track(const MorphableModel& model, const engine::Seq<FaceFit>& fits,
       continue;
     }
     finish();
+    if (f == 0 || fits.at(f - 1)->converged) first_lost = f;
+    if (f + 1 == fits.size() || fits.at(f + 1)->converged)
+      progress.warn(message(first_lost == f ? "frame " : message("frames ", fits.id(first_lost), " to "), fits.id(f),
+                            first_lost == f ? " is" : " are", " not believed: ", fits.at(first_lost)->problem));
     smoothed.push(fits.id(written++), *fit);
   }
   finish();

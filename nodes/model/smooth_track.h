@@ -20,6 +20,8 @@ std::vector<double> most_probable_correction(const std::vector<double>& second_d
 // before, and its error trembles. Each axis of the turn is taken by itself; the head turns about the middle of its
 // face, which stays where it is in the picture. Mouths are as fast as their error and stay as they are. Between frames
 // that are not believed every stretch is by itself; one of less than 12 frames, too few to know two variances, stays.
-void smooth_track(const MorphableModel& model, const engine::Seq<FaceFit>& fits, engine::SeqWriter<FaceFit>& smoothed);
+// Stretches that are not believed are warnings.
+void smooth_track(const MorphableModel& model, const engine::Seq<FaceFit>& fits, engine::SeqWriter<FaceFit>& smoothed,
+                  engine::Progress& progress);
 
 }  // namespace face::model

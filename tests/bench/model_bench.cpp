@@ -24,6 +24,7 @@
 #include "nodes/texture/extract.h"
 #include "nodes/texture/neutralise.h"
 #include "nodes/texture/render_into.h"
+#include "tests/nodes/model/quiet_fit.h"
 
 namespace {
 

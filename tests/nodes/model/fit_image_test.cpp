@@ -13,6 +13,7 @@
 #include "nodes/model/skin_basis.h"
 #include "nodes/phantom/make_person.h"
 #include "tests/nodes/model/material.h"
+#include "tests/nodes/model/quiet_fit.h"
 #include "tests/support/expect_throw_text.h"
 
 using namespace face;
@@ -207,6 +208,22 @@ TEST(FitImage, DoesNotSeeAFaceInADarkPicture) {
   const FaceFit fit = fit_image(test::head_model(), test::blank(480, 480, 2), shot.points, {.steps = 3});
   EXPECT_FALSE(fit.converged);
   EXPECT_EQ(fit.problem, "100 % of the face is all but black: use a picture with more light");
+}
+
+// Five mouths were drawn into a picture by such a fit, and nothing was said.
+TEST(FitImage, WarnsOfAFitThatIsNotToBeUsed) {
+  struct Heard : engine::Progress {
+    void warn(const std::string& text) override { texts.push_back(text); }
+    std::vector<std::string> texts;
+  } heard;
+  const Shot shot = shoot(35, 0);
+  fit_image(test::head_model(), test::blank(480, 480, 2), shot.points, {.steps = 3}, heard);
+  EXPECT_EQ(heard.texts,
+            std::vector<std::string>{"the fit is not to be used: 100 % of the face is all but black: use a "
+                                     "picture with more light"});
+  heard.texts.clear();
+  EXPECT_TRUE(fit_image(test::head_model(), shot.picture, shot.points, {.steps = 3}, heard).converged);
+  EXPECT_TRUE(heard.texts.empty());
 }
 
 TEST(FitImage, DoesNotSeeAFaceInAnOverexposedPicture) {

@@ -14,8 +14,9 @@
 #include "nodes/decode/read_video.h"
 #include "nodes/model/fit_image.h"
 #include "nodes/model/from_rig.h"
-#include "tests/support/folder_file.h"
+#include "tests/nodes/model/quiet_fit.h"
 #include "tests/support/data.h"
+#include "tests/support/folder_file.h"
 
 namespace face::model {
 namespace {

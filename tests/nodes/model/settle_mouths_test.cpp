@@ -13,6 +13,7 @@
 #include "nodes/model/pose_model.h"
 #include "nodes/phantom/make_person.h"
 #include "tests/nodes/model/material.h"
+#include "tests/nodes/model/quiet_fit.h"
 
 using namespace face;
 using namespace face::model;

@@ -91,7 +91,12 @@ std::vector<FaceFit> track(std::size_t frames, double sigma_deg) {
   return fits;
 }
 
-std::vector<FaceFit> smoothed(const std::vector<FaceFit>& fits, std::string* ids = nullptr) {
+std::vector<FaceFit> smoothed(const std::vector<FaceFit>& fits, std::string* ids = nullptr,
+                              std::vector<std::string>* warnings = nullptr) {
+  struct Heard : engine::Progress {
+    void warn(const std::string& text) override { texts.push_back(text); }
+    std::vector<std::string> texts;
+  } heard;
   std::vector<FaceFit> result;
   engine::SeqWriter<FaceFit> writer([&](const std::string& id, FaceFit fit) {
     if (ids != nullptr) *ids += id + " ";
@@ -99,7 +104,8 @@ std::vector<FaceFit> smoothed(const std::vector<FaceFit>& fits, std::string* ids
   });
   std::vector<std::string> names;
   for (std::size_t f = 0; f < fits.size(); ++f) names.push_back("f" + std::to_string(f));
-  smooth_track(test::head_model(), engine::Seq<FaceFit>(fits, names), writer);
+  smooth_track(test::head_model(), engine::Seq<FaceFit>(fits, names), writer, heard);
+  if (warnings != nullptr) *warnings = heard.texts;
   return result;
 }
 
@@ -115,6 +121,19 @@ TEST(SmoothTrack, TakesMostOfANodThatTremblesOutOfAHeadThatSways) {
   const std::vector<FaceFit> fits = track(120, 0.1);
   EXPECT_GT(rms(nods(fits)), 0.08);
   EXPECT_LT(rms(nods(smoothed(fits))), 0.03);
+}
+
+// A clip whose face was lost was drawn over to its end without a word.
+TEST(SmoothTrack, NamesTheFramesThatAreNotBelieved) {
+  std::vector<FaceFit> fits = track(9, 0.1);
+  for (const std::size_t f : {2, 5, 6, 7}) {
+    fits[f].converged = false;
+    fits[f].problem = "the face is lost here, " + std::to_string(f);
+  }
+  std::vector<std::string> warnings;
+  EXPECT_EQ(smoothed(fits, nullptr, &warnings).size(), 9u);
+  EXPECT_EQ(warnings, (std::vector<std::string>{"frame f2 is not believed: the face is lost here, 2",
+                                                "frames f5 to f7 are not believed: the face is lost here, 5"}));
 }
 
 TEST(SmoothTrack, KeepsTheMiddleOfTheFaceWhereItIsInThePicture) {

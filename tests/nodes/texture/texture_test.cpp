@@ -25,6 +25,7 @@
 #include "nodes/texture/reanimate.h"
 #include "nodes/texture/render_into.h"
 #include "nodes/texture/reveal_background.h"
+#include "tests/nodes/model/quiet_fit.h"
 #include "tests/nodes/texture/drawn_face.h"
 #include "tests/support/expect_throw_text.h"
 
