@@ -93,15 +93,17 @@ engine::File annotate(const engine::Seq<Image>& frames, const engine::Seq<Landma
     Json entry{{"frame", i}, {"picture", jpeg_url(*image, static_cast<int>(options.jpeg_quality))}};
     if (tracks) {
       Json points = Json::object();
-      for (const Landmark& p : tracks->at(index)->points)
-        points[p.name] = {tenth(p.x_px), tenth(p.y_px), p.valid ? 1 : 0};
+      const auto track = tracks->at(index);  // loaded for as long as it is held
+      for (const Landmark& p : track->points) points[p.name] = {tenth(p.x_px), tenth(p.y_px), p.valid ? 1 : 0};
       entry["points"] = points;
     }
     data["frames"].push_back(std::move(entry));
   }
   data["fixes"] = Json::object();
-  for (std::size_t i = 0; corrections && i < corrections->size(); ++i)
-    for (const Landmark& p : corrections->at(i)->points) data["fixes"][corrections->id(i)][p.name] = {p.x_px, p.y_px};
+  for (std::size_t i = 0; corrections && i < corrections->size(); ++i) {
+    const auto fixed = corrections->at(i);
+    for (const Landmark& p : fixed->points) data["fixes"][corrections->id(i)][p.name] = {p.x_px, p.y_px};
+  }
   std::string page(annotate_page_head());
   std::string json = data.dump();
   for (std::size_t k = 0; (k = json.find('<', k)) != std::string::npos; k += 6) json.replace(k, 1, "\\u003c");  // names

@@ -63,6 +63,24 @@ TEST(Annotate, ShowsTracksAndKeepsEarlierCorrections) {
   EXPECT_EQ(data["fixes"]["1"]["nose_tip"], nlohmann::json({8.5, 9.04}));
 }
 
+// Elements as a store gives them: of no use once nobody holds them.
+struct Stored final : engine::SeqSource<Landmarks> {
+  std::size_t size() const override { return 1; }
+  std::string id(std::size_t) const override { return "0"; }
+  std::shared_ptr<const Landmarks> load(std::size_t) const override {
+    return {&kept, [this](const Landmarks*) { kept = nose(-1, false); }};
+  }
+  mutable Landmarks kept = nose(7.26, true);
+};
+
+// A second page of a clip whose tracks were in the store ended with "std::bad_alloc".
+TEST(Annotate, ShowsTracksAndCorrectionsThatAreLoadedOneByOne) {
+  const engine::Seq<Landmarks> tracks(std::make_shared<Stored>()), fixes(std::make_shared<Stored>());
+  const auto data = data_of(annotate(film(1), &tracks, &fixes));
+  EXPECT_EQ(data["frames"][0]["points"]["nose_tip"], nlohmann::json({7.3, 9.0, 1}));
+  EXPECT_EQ(data["fixes"]["0"]["nose_tip"], nlohmann::json({7.26, 9.04}));
+}
+
 TEST(Annotate, NeedsNoNetwork) {
   const std::string page = annotate(film(1), nullptr, nullptr).bytes();
   for (const char* word : {"http:", "https:", "//cdn", "src=\"", "@import"})
