@@ -47,6 +47,23 @@ TEST(Report, NamesFramesOfAnotherLength) {
             (std::vector<std::string>{"frame 2: shown for 80 ms, most for 40 ms: the frame rate varies"}));
 }
 
+// Points placed beside the face were followed over ten seconds of wall without a warning.
+TEST(Report, WarnsWhereManyPointsAreLost) {
+  Heard heard;
+  std::vector<Landmarks> frames(20, frame(true, true));
+  const engine::Seq<std::string> state(std::vector<std::string>(20, "followed"));
+  for (const int i : {3, 5, 7, 9}) frames[static_cast<std::size_t>(i)] = frame(true, false);
+  report(engine::Seq<Landmarks>(frames), state, nullptr, heard);
+  EXPECT_TRUE(heard.warnings.empty());  // a tenth
+  frames[11] = frame(true, false);
+  const std::string expected =
+      "13 % of the points are lost in frames that show something, usually it is less than 5 %: do they lie on the face "
+      "in the first frame?";
+  EXPECT_EQ(report(engine::Seq<Landmarks>(frames), state, nullptr, heard).text.substr(37, expected.size() + 1),
+            expected + "\n");
+  EXPECT_EQ(heard.warnings, std::vector<std::string>{expected});
+}
+
 TEST(Report, IsShortWhereAllIsWell) {
   Heard heard;
   EXPECT_EQ(report({}, {}, nullptr, heard).text, "0 frames, 0 points, 0 of them lost\n");
