@@ -37,6 +37,7 @@ long number_of(const std::string& text) {
 // The files of a take by frame. Files whose name is no number are trouble of their own.
 std::vector<Frame> frames_of(const engine::File& folder, const std::string& take, std::vector<std::string>& troubles) {
   std::map<long, Frame> frames;
+  std::vector<std::string> odd;
   constexpr std::array kinds = {std::pair{"depth/", &FramePaths::depth}, std::pair{"cloud/", &FramePaths::cloud},
                                 std::pair{"picture/", &FramePaths::picture}, std::pair{"mask/", &FramePaths::mask}};
   for (const engine::File::Entry& entry : folder.entries())
@@ -46,7 +47,7 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
       const std::string leaf = entry.name.substr(start.size());
       const long number = number_of(leaf.substr(0, leaf.find_last_of('.')));
       if (number < 0) {
-        troubles.push_back("file " + entry.name + ": its name is no frame number; left out");
+        odd.push_back(entry.name);
         continue;
       }
       Frame& frame = frames[number];
@@ -57,6 +58,11 @@ std::vector<Frame> frames_of(const engine::File& folder, const std::string& take
       else
         troubles.push_back(message("frame ", number, ": has a second file ", entry.name, "; left out"));
     }
+  if (odd.size() == 1)
+    troubles.push_back("file " + odd[0] + ": its name is no frame number, expected one like 17.png; left out");
+  if (odd.size() > 1)
+    troubles.push_back(message("file ", odd[0], " and ", odd.size() - 1,
+                               " more: their names are no frame numbers, expected some like 17.png; left out"));
   const std::string start = "pattern/" + take + "/";
   for (const engine::File::Entry& entry : folder.entries()) {
     if (!entry.name.starts_with(start)) continue;

@@ -274,7 +274,8 @@ TEST(DepthTake, NamesFramesThatAreWrongAndKeepsTheRest) {
   EXPECT_EQ(result.dropped, 6);
   EXPECT_EQ(result.timeline.time_s.back(), 11 / 40.0);
   ASSERT_EQ(stream.heard.texts.size(), 8u);
-  EXPECT_EQ(stream.heard.texts[0], "take a, file depth/a/notes.pgm: its name is no frame number; left out");
+  EXPECT_EQ(stream.heard.texts[0],
+            "take a, file depth/a/notes.pgm: its name is no frame number, expected one like 17.png; left out");
   EXPECT_EQ(stream.heard.texts[1],
             "take a, frame 2: its median depth is 8.4 mm, expected 150 to 4000: is the unit of depth 100 times what "
             "depth_unit_mm in camera.json says?; left out");
@@ -287,6 +288,17 @@ TEST(DepthTake, NamesFramesThatAreWrongAndKeepsTheRest) {
   EXPECT_EQ(stream.heard.texts[6], "take a, frame 7: its picture 7.pgm is 20 x 20 pixels, expected 64 x 48; left out");
   EXPECT_EQ(stream.heard.texts[7], "take a, frames 9 to 11 are missing");
   EXPECT_EQ(std::count(result.report.begin(), result.report.end(), '\n'), 8);
+}
+
+// Of a stream of frame_0001.png each file was a warning.
+TEST(DepthTake, SaysOnceThatNamesOfFilesAreNoNumbers) {
+  Stream stream;
+  stream.frame(1);
+  for (const char* name : {"frame_2", "frame_3", "frame_4"}) stream.depth(name, ball());
+  stream.read();
+  EXPECT_EQ(stream.heard.texts,
+            std::vector<std::string>{"take a, file depth/a/frame_2.pgm and 2 more: their names are no frame numbers, "
+                                     "expected some like 17.png; left out"});
 }
 
 TEST(DepthTake, NamesFramesOfAnotherSizeAndDepthOfEightBits) {
