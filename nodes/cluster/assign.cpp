@@ -14,10 +14,11 @@ namespace face::cluster {
 void check_points(const Matrix& points, const char* name) {
   check(points.values.size() == points.rows * points.columns, name, " holds ", points.values.size(),
         " numbers, expected ", points.rows, " x ", points.columns);
+  constexpr double most = 1e15;  // squared distances are kept as float
   for (std::size_t i = 0; i < points.values.size(); ++i)
-    if (!std::isfinite(points.values[i]))
+    if (!(std::abs(points.values[i]) <= most))
       fail(name, " holds ", points.values[i], " in row ", i / points.columns, " column ", i % points.columns,
-           ", expected finite numbers");
+           ", expected finite numbers of at most 1e15 in size");
 }
 
 double squared_distance(const Matrix& points, std::size_t a, std::size_t b) {

@@ -14,7 +14,8 @@ struct Assignment {
   std::vector<std::size_t> labels;     // N
 };
 
-// Throws where a number is not finite or sizes do not fit; `name` is what messages call the matrix.
+// Throws where a number is not finite, or so large that its square overflows, or sizes do not fit; `name` is what
+// messages call the matrix.
 void check_points(const Matrix& points, const char* name);
 
 double squared_distance(const Matrix& points, std::size_t a, std::size_t b);

@@ -27,6 +27,9 @@ LandmarkPointsResult landmark_points(const engine::Seq<Landmarks>& tracks, const
     }
     result.frames.values.push_back(static_cast<double>(f));
   }
+  check(!result.frames.values.empty(), "none of the ", tracks.size(), " frames can be used: each has lost more than ",
+        options.max_lost, " of its ", first.points.size(),
+        " landmarks; does the film show the face that the points were placed on?");
   result.points.rows = result.frames.rows = result.frames.values.size();
   result.points.columns = 2 * first.points.size();
   result.frames.columns = 1;

@@ -210,7 +210,11 @@ TEST(AffinityPropagation, SaysWhereItDidNotSettle) {
 
 TEST(AffinityPropagation, RejectsPointsThatAreNone) {
   EXPECT_THROW_TEXT(run({0, 3, {}}), "points has no rows, expected at least one point");
-  EXPECT_THROW_TEXT(run({2, 1, {1, std::nan("")}}), "points holds nan in row 1 column 0, expected finite numbers");
+  EXPECT_THROW_TEXT(run({2, 1, {1, std::nan("")}}),
+                    "points holds nan in row 1 column 0, expected finite numbers of at most 1e15 in size");
+  // One group of all points, as all distances were infinite.
+  EXPECT_THROW_TEXT(run({2, 1, {1, 1e200}}),
+                    "points holds 1e+200 in row 1 column 0, expected finite numbers of at most 1e15 in size");
 }
 
 }  // namespace

@@ -146,6 +146,12 @@ TEST(LandmarkPoints, LeavesOutFramesWithALostLandmark) {
   const KeyShapes keys = gather_key_shapes(tracks, found.frames, {2, 1, {0, 1}}, {2, 1, {1, 0}});
   EXPECT_EQ(keys.shapes[0].frame, "12");
   EXPECT_EQ(keys.shapes[1].size, 1);
+  // A film in which nobody is seen: "points has no rows", said affinity propagation.
+  const Landmarks lost{{{"lip_0", 1, 2, false}, {"lip_6", 3, 4, false}}};
+  EXPECT_THROW_TEXT(
+      landmark_points(engine::Seq<Landmarks>({lost, lost}), {1}),
+      "none of the 2 frames can be used: each has lost more than 1 of its 2 landmarks; does the film show "
+      "the face that the points were placed on?");
   EXPECT_THROW_TEXT(landmark_points(engine::Seq<Landmarks>({frame(0), Landmarks{}})),
                     "frame 1 has 0 landmarks, expected 2 as frame 0");
 }
