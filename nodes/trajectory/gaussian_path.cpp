@@ -22,6 +22,8 @@ Matrix gaussian_path(const Matrix& means, const Matrix& variances, const Gaussia
     check(targets.precision[i] > 0, "variances holds ", targets.precision[i], " in row ", row, " column ", column,
           ", expected more than 0");
     targets.precision[i] = 1 / targets.precision[i];
+    check(std::isfinite(targets.precision[i] * targets.target[i]), "variances holds ", variances.values[i], " in row ",
+          row, " column ", column, ", expected more: it is so small that its inverse is beyond all numbers");
   }
   return {means.rows, means.columns, solve_trajectory(targets, options.smoothness)};
 }

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes/trajectory/gaussian_trajectory.h"
 
+#include <algorithm>
+
 #include "nodes/base/check.h"
 
 namespace face::trajectory {
+namespace {
+
+[[noreturn]] void nothing_pulls(const TrajectoryTargets& targets, double smoothness, std::size_t frame,
+                                std::size_t dim) {
+  double most = 0;
+  for (std::size_t t = 0; t < targets.frames; ++t) most = std::max(most, targets.precision[t * targets.dims + dim]);
+  if (most == 0)
+    fail("nothing pulls dimension ", dim, " anywhere: its precision is 0 in all ", targets.frames, " frames");
+  if (smoothness == 0)
+    fail("nothing pulls dimension ", dim, " in frame ", frame,
+         ": its precision is 0 there, and a smoothness of 0 ties it to no other frame");
+  fail("nothing pulls dimension ", dim, ": its precision, at most ", most, ", is lost beside a smoothness of ",
+       smoothness);
+}
+
+}  // namespace
 
 std::vector<double> solve_trajectory(const TrajectoryTargets& targets, double smoothness) {
   const std::size_t frames = targets.frames, dims = targets.dims, count = frames * dims;
@@ -22,7 +40,7 @@ std::vector<double> solve_trajectory(const TrajectoryTargets& targets, double sm
         diagonal -= before * ratio[i - dims];
         right += before * x[i - dims];
       }
-      check(diagonal > 0, "nothing pulls dimension ", k, " anywhere: its precision is 0 in all ", frames, " frames");
+      if (!(diagonal > 0)) nothing_pulls(targets, smoothness, t, k);
       ratio[i] = after / diagonal;
       x[i] = right / diagonal;
     }

@@ -51,6 +51,10 @@ TEST(GaussianPath, RejectsShapesThatDifferAndVariancesThatAreNone) {
   EXPECT_THROW_TEXT(gaussian_path({2, 1, {0}}, {2, 1, {1, 1}}), "means has 1 values, expected 2 x 1");
   EXPECT_THROW_TEXT(gaussian_path({2, 1, {0, 0}}, {2, 1, {1, 0}}),
                     "variances holds 0 in row 1 column 0, expected more than 0");
+  // Was a path of NaN.
+  EXPECT_THROW_TEXT(gaussian_path({2, 1, {0, 1}}, {2, 1, {1, 1e-320}}, {0}),
+                    "variances holds 9.99989e-321 in row 1 column 0, expected more: it is so small that its inverse is "
+                    "beyond all numbers");
   EXPECT_THROW_TEXT(gaussian_path({1, 2, {0, std::nan("")}}, {1, 2, {1, 1}}),
                     "means holds nan in row 0 column 1, expected finite numbers");
 }

@@ -106,6 +106,12 @@ TEST(GaussianTrajectory, RejectsUnequalCounts) {
 TEST(GaussianTrajectory, RejectsADimensionThatNothingPulls) {
   EXPECT_THROW_TEXT(solve_trajectory({2, 1, {0.0, 0.0}, {1.0, 1.0}}, 0),
                     "nothing pulls dimension 0 anywhere: its precision is 0 in all 2 frames");
+  EXPECT_THROW_TEXT(
+      solve_trajectory({2, 2, {1, 1, 1, 0}, {0, 0, 0, 0}}, 0),
+      "nothing pulls dimension 1 in frame 1: its precision is 0 there, and a smoothness of 0 ties it to no "
+      "other frame");
+  EXPECT_THROW_TEXT(solve_trajectory({2, 1, {1e-308, 1e-308}, {0, 0}}, 10),
+                    "nothing pulls dimension 0: its precision, at most 1e-308, is lost beside a smoothness of 10");
 }
 
 }  // namespace
