@@ -18,6 +18,8 @@ using Place = std::complex<double>;
 // A disc is 3.9 times as long as wide at 75 degrees, and less once the lens has blurred it; teeth between lips are 6
 // times and more.
 constexpr double longest_dot = 4;
+// More are noise or pores, and to link them would take hours: the time grows with the fourth power.
+constexpr std::size_t most_dots = 250;
 
 }  // namespace
 
@@ -86,6 +88,9 @@ Landmarks find_markers(const engine::Seq<DepthScan>& scans, const FindMarkersOpt
       if (dot.length_px > longest_dot * dot.width_px || std::hypot(dot.x_px - x, dot.y_px - y) > radius) continue;
       found.points.push_back({"m" + std::to_string(found.points.size()), dot.x_px, dot.y_px, true});
     }
+  check(found.points.size() <= most_dots, "the take's first scan shows ", found.points.size(),
+        " dots, expected at most ", most_dots, ": is radius_px ", radius,
+        " px the radius of the painted ones, and least_contrast ", options.least_contrast, " more than noise?");
   return found;
 }
 

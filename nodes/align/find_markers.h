@@ -19,7 +19,7 @@ struct FindMarkersOptions {
 // Finds painted dots on the first scan of a take: local extremes of the difference between a disc and the ring about
 // it, round (all directions of the ring differ from the disc) and at least least_contrast grey levels strong, on
 // measured surface, and not longer than a disc that is seen aslant; centres are those of measure_dot.h. Names are m0,
-// m1, ... from the top. scans: a take.
+// m1, ... from the top. More than 250 are no painted dots: that is refused. scans: a take.
 Landmarks find_markers(const engine::Seq<DepthScan>& scans, const FindMarkersOptions& options = {});
 
 struct LinkMarkersOptions {

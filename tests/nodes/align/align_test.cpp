@@ -319,6 +319,15 @@ TEST(MeasureDot, MeasuresDarkDotsAndSlantedOnes) {
   EXPECT_NEAR(dot.width_px / dot.length_px, 0.4, 0.1);
 }
 
+// A radius too small finds noise, which was linked for hours.
+TEST(FindMarkers, RefusesMoreDotsThanAnybodyPaints) {
+  const DepthScan scan = drawn_scan(
+      [](double x, double y) { return std::hypot(std::fmod(x, 5) - 2, std::fmod(y, 5) - 2) < 1 ? 220.0 : 90.0; });
+  EXPECT_THROW_TEXT(find_markers(engine::Seq<DepthScan>({scan}), {.radius_px = 1}),
+                    "the take's first scan shows 324 dots, expected at most 250: is radius_px 1 px the radius of the "
+                    "painted ones, and least_contrast 18 more than noise?");
+}
+
 TEST(FindMarkers, TakesNoTeethBetweenLipsForADot) {
   const DepthScan scan = drawn_scan([](double x, double y) {
     const double lips = std::hypot((x - 48) / 3, y - 60) < 8 ? 70 : 150;
