@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a fit of one or several pictures of a person works on.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,11 +12,8 @@ namespace face::model {
 
 // One picture, and what is its own.
 struct Picture {
-  const Image* image = nullptr;
   LandmarkBasis landmarks;
-  FaceFit start;
   PictureState state;
-  std::array<double, 7> start_pose{};
   double log_focal = 7;
   double eyes_px = 100;
   double exposure = 1;  // what the picture is divided by: a dark one is fitted as if its skin were of usual brightness
