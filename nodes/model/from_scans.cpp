@@ -132,6 +132,62 @@ TableRow compared(const std::string& name, const Rows& examples, const Rows& bas
   return {name, {found.angles_deg.back(), found.angles_deg.front(), found.residual_ratio}};
 }
 
+Rows albedos_of(const MorphableModel& surface, const engine::Seq<MeshPoints>& identities,
+                const engine::Seq<Image>& textures, std::size_t skin, double lamp_shading) {
+  std::vector<render::Triangle> triangles;
+  for (const render::Triangle& t : render::triangulate(surface.mean).triangles)
+    if (t[0] < skin && t[1] < skin && t[2] < skin) triangles.push_back(t);
+  Rows colours(static_cast<Eigen::Index>(textures.size()), static_cast<Eigen::Index>(3 * skin));
+  for (std::size_t i = 0; i < textures.size(); ++i)
+    colours.row(static_cast<Eigen::Index>(i)) = albedo_of(*textures.at(i), *identities.at(i), triangles, lamp_shading);
+  return colours;
+}
+
+bool is_wall(const Follower& follower) { return follower.share > 0 && follower.share < 1; }
+
+// The mean person's head. Teeth and walls: first as the surface has them with the scanned person's mouth shut, then
+// moved as a whole to the mean person's mouth; walls hang on its lips.
+std::vector<Vec3f> mean_head(const MorphableModel& surface, const MeshPoints& neutral, const Eigen::RowVectorXd& mean,
+                             const std::vector<Follower>& followed) {
+  const std::size_t skin = neutral.points_mm.size();
+  const std::vector<Vec3f> closed = head_points(surface, neutral.points_mm);
+  const Vec3f from = mouth_place(surface, closed);
+  std::vector<Vec3f> head = closed;
+  for (std::size_t v = 0; v < skin; ++v)
+    for (std::size_t k = 0; k < 3; ++k) head[v][k] = static_cast<float>(mean[static_cast<Eigen::Index>(3 * v + k)]);
+  const Vec3f to = mouth_place(surface, head);
+  for (std::size_t v = skin; v < head.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Follower& f = followed[v - skin];
+      head[v][k] += is_wall(f) ? f.share * (head[f.skin][k] - closed[f.skin][k]) + (1 - f.share) * (to[k] - from[k])
+                               : to[k] - from[k];
+    }
+  return head;
+}
+
+void paint(const Eigen::RowVectorXd& mean_colour, std::size_t skin, MorphableModel& model) {
+  model.mean_albedo.resize(model.mean.points_mm.size());
+  for (std::size_t v = 0; v < skin; ++v)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = std::max(0.0, mean_colour[static_cast<Eigen::Index>(3 * v + c)]);
+      model.mean_albedo[v][c] = static_cast<float>(value);
+      model.mean.colors_srgb[v][c] = static_cast<float>(std::min(1.0, srgb_of(value)));
+    }
+}
+
+// uvs of the surface are places in a scan of the whole turn: a texture of the face wants them to fill it.
+void fill_texture(std::size_t skin, std::vector<Vec2f>& uvs) {
+  Vec2f low = {1, 1}, high = {0, 0};
+  for (std::size_t v = 0; v < skin; ++v)
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], uvs[v][k]);
+      high[k] = std::max(high[k], uvs[v][k]);
+    }
+  for (std::size_t v = 0; v < skin; ++v)
+    for (std::size_t k = 0; k < 2; ++k)
+      uvs[v][k] = 0.01f + 0.98f * (uvs[v][k] - low[k]) / std::max(high[k] - low[k], 1e-6f);
+}
+
 }  // namespace
 
 MorphableModel from_scans(const MorphableModel& surface, const engine::Seq<MeshPoints>& expressions,
@@ -144,60 +200,21 @@ MorphableModel from_scans(const MorphableModel& surface, const engine::Seq<MeshP
         " textures");
   check(options.lamp_shading >= 0 && options.lamp_shading < 1, "lamp_shading is ", options.lamp_shading,
         ", expected 0 to below 1");
-  std::vector<render::Triangle> triangles;
-  for (const render::Triangle& t : render::triangulate(surface.mean).triangles)
-    if (t[0] < skin && t[1] < skin && t[2] < skin) triangles.push_back(t);
   const Eigen::RowVectorXd rest = row_of(neutral, skin, "neutral");
-
   Rows moves = rows_of(expressions, skin, "expressions");
   moves.rowwise() -= rest;
   Rows persons = rows_of(identities, skin, "identities");
   const Eigen::RowVectorXd mean = persons.colwise().mean();
   persons.rowwise() -= mean;
-  Rows colours(static_cast<Eigen::Index>(textures.size()), static_cast<Eigen::Index>(3 * skin));
-  for (std::size_t i = 0; i < textures.size(); ++i)
-    colours.row(static_cast<Eigen::Index>(i)) =
-        albedo_of(*textures.at(i), *identities.at(i), triangles, options.lamp_shading);
+  Rows colours = albedos_of(surface, identities, textures, skin, options.lamp_shading);
   const Eigen::RowVectorXd mean_colour = colours.colwise().mean();
   colours.rowwise() -= mean_colour;
 
-  MorphableModel model = surface;
-  // Teeth and walls: first as the surface has them with the scanned person's mouth shut, then moved as a whole to the
-  // mean person's mouth.
-  std::vector<Vec3f> head = head_points(surface, neutral.points_mm);
-  const Vec3f from = mouth_place(surface, head);
   const std::vector<Follower> followed = followers(surface);
-  std::vector<Vec3f> closed = head;
-  for (std::size_t v = 0; v < skin; ++v)
-    for (std::size_t k = 0; k < 3; ++k) head[v][k] = static_cast<float>(mean[static_cast<Eigen::Index>(3 * v + k)]);
-  const Vec3f to = mouth_place(surface, head);
-  for (std::size_t v = skin; v < all; ++v)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Follower& f = followed[v - skin];
-      // Walls hang on the mean person's lips; teeth go with the mouth.
-      const bool wall = f.share > 0 && f.share < 1;
-      head[v][k] +=
-          wall ? f.share * (head[f.skin][k] - closed[f.skin][k]) + (1 - f.share) * (to[k] - from[k]) : to[k] - from[k];
-    }
-  model.mean.points_mm = head;
-  model.mean_albedo.resize(all);
-  for (std::size_t v = 0; v < skin; ++v)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double value = std::max(0.0, mean_colour[static_cast<Eigen::Index>(3 * v + c)]);
-      model.mean_albedo[v][c] = static_cast<float>(value);
-      model.mean.colors_srgb[v][c] = static_cast<float>(std::min(1.0, srgb_of(value)));
-    }
-  // uvs of the surface are places in a scan of the whole turn: a texture of the face wants them to fill it.
-  Vec2f low = {1, 1}, high = {0, 0};
-  for (std::size_t v = 0; v < skin; ++v)
-    for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], surface.mean.uvs[v][k]);
-      high[k] = std::max(high[k], surface.mean.uvs[v][k]);
-    }
-  for (std::size_t v = 0; v < skin; ++v)
-    for (std::size_t k = 0; k < 2; ++k)
-      model.mean.uvs[v][k] = 0.01f + 0.98f * (surface.mean.uvs[v][k] - low[k]) / std::max(high[k] - low[k], 1e-6f);
-
+  MorphableModel model = surface;
+  model.mean.points_mm = mean_head(surface, neutral, mean, followed);
+  paint(mean_colour, skin, model);
+  fill_texture(skin, model.mean.uvs);
   const auto with_skin = [&](const std::vector<Vec3f>& mode, std::size_t i) {
     const Follower& f = followed[i];
     Vec3f offset = mode[f.skin];
@@ -207,7 +224,7 @@ MorphableModel from_scans(const MorphableModel& surface, const engine::Seq<MeshP
   const auto with_mouth = [&](const std::vector<Vec3f>& mode, std::size_t i) {
     const Vec3f place = mouth_place(surface, mode);
     const Follower& f = followed[i];
-    if (f.share == 0 || f.share == 1) return place;
+    if (!is_wall(f)) return place;
     Vec3f offset = with_skin(mode, i);
     for (std::size_t k = 0; k < 3; ++k) offset[k] += (1 - f.share) * place[k];
     return offset;
