@@ -142,6 +142,59 @@ class Analysis {
     return "the input '" + node.info->inputs[port].name + "' of '" + node.info->name + "'";
   }
 
+  // What the links of a port have in common. What does not agree is reported.
+  struct Agreed {
+    std::string type;
+    int depth = unknown;
+    bool depth_known = true;  // every link that counts has one
+  };
+
+  bool takes_type(const FlatNode& node, std::size_t port, const Link& link, const Shape& shape, Agreed& agreed) {
+    const std::string& declared = node.info->inputs[port].type;
+    if (shape.type.empty() || shape.type == agreed.type) return true;  // of unknown ones the cause is reported
+    if (agreed.type.empty()) {
+      agreed.type = shape.type;
+      return true;
+    }
+    if (declared.empty())
+      problem(link.place, port_name(node, port) + " takes alternatives of one type: found '" + shape.type +
+                              "' after '" + agreed.type + "'");
+    else
+      problem(link.place, port_name(node, port) + " takes '" + declared + "', found '" + shape.type + "'");
+    return false;
+  }
+
+  bool takes_depth(const FlatNode& node, std::size_t port, const Link& link, const Shape& shape, Agreed& agreed) {
+    const InputInfo& input = node.info->inputs[port];
+    const int least = input.window ? 1 : input.depth;
+    if (shape.depth == unknown) return false;
+    if (node.info->structural != Structural::first && shape.depth < least) {
+      problem(link.place, port_name(node, port) + " takes " + levels(least) + ", found " + levels(shape.depth));
+      return false;
+    }
+    if (agreed.depth != unknown && shape.depth != agreed.depth) {
+      problem(link.place, port_name(node, port) + " takes alternatives of one depth: found " + levels(shape.depth) +
+                              " after " + levels(agreed.depth));
+      return false;
+    }
+    agreed.depth = shape.depth;
+    return true;
+  }
+
+  // What is present counts; an absent node is checked as if all were.
+  Agreed agree(const FlatNode& node, std::size_t port, const std::vector<Shape>& shapes, bool node_is_absent) {
+    Agreed agreed{node.info->inputs[port].type};
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = shapes[i];
+      const Link& link = node.ports[port][i];
+      if (shape.broken || !takes_type(node, port, link, shape, agreed))
+        agreed.depth_known = false;
+      else if ((!shape.absent || node_is_absent) && !takes_depth(node, port, link, shape, agreed))
+        agreed.depth_known = false;
+    }
+    return agreed;
+  }
+
   // Decides whether a node is absent, and finds its depths and types.
   void settle(int index) {
     const FlatNode& node = flat_.nodes[index];
@@ -158,65 +211,18 @@ class Analysis {
       });
       if (all_absent && !info.inputs[port].optional) state.absent = true;
     }
-
-    // What is present counts; an absent node is checked as if all were.
     state.input_depth.assign(node.ports.size(), 0);
-    std::string first_type;
-    int first_depth = unknown;
-    bool depth_known = !state.broken;
     state.mapped_depth = 0;
+    Agreed first;
+    bool depth_known = !state.broken;
     for (std::size_t port = 0; port < node.ports.size(); ++port) {
-      const InputInfo& input = info.inputs[port];
-      const bool any_depth = info.structural == Structural::first;
-      std::string agreed_type = input.type;
-      int agreed_depth = unknown;
-      const Link* agreed = nullptr;
-      for (std::size_t i = 0; i < shapes[port].size(); ++i) {
-        const Shape& shape = shapes[port][i];
-        const Link& link = node.ports[port][i];
-        if (shape.broken) {
-          depth_known = false;
-          continue;
-        }
-        if (shape.type.empty()) {
-          // unknown: reported where it comes from
-        } else if (agreed_type.empty()) {
-          agreed_type = shape.type;
-        } else if (shape.type != agreed_type) {
-          if (input.type.empty())
-            problem(link.place, port_name(node, port) + " takes alternatives of one type: found '" + shape.type +
-                                    "' after '" + agreed_type + "'");
-          else
-            problem(link.place, port_name(node, port) + " takes '" + input.type + "', found '" + shape.type + "'");
-          depth_known = false;
-          continue;
-        }
-        if (shape.absent && !state.absent) continue;
-        if (shape.depth == unknown) {
-          depth_known = false;
-          continue;
-        }
-        const int least = input.window ? 1 : input.depth;
-        if (!any_depth && shape.depth < least) {
-          problem(link.place, port_name(node, port) + " takes " + levels(least) + ", found " + levels(shape.depth));
-          depth_known = false;
-          continue;
-        }
-        if (agreed != nullptr && shape.depth != agreed_depth) {
-          problem(link.place, port_name(node, port) + " takes alternatives of one depth: found " + levels(shape.depth) +
-                                  " after " + levels(agreed_depth));
-          depth_known = false;
-          continue;
-        }
-        agreed = &link;
-        agreed_depth = shape.depth;
-        if (!any_depth) state.mapped_depth = std::max(state.mapped_depth, shape.depth - input.depth);
-      }
-      if (agreed_depth != unknown) state.input_depth[port] = agreed_depth;
-      if (port == 0) {
-        first_type = agreed_type;
-        first_depth = agreed_depth;
-      }
+      const Agreed agreed = agree(node, port, shapes[port], state.absent);
+      depth_known = depth_known && agreed.depth_known;
+      if (port == 0) first = agreed;
+      if (agreed.depth == unknown) continue;
+      state.input_depth[port] = agreed.depth;
+      if (info.structural != Structural::first)
+        state.mapped_depth = std::max(state.mapped_depth, agreed.depth - info.inputs[port].depth);
     }
     check_where(node, shapes, state);
     if (depth_known && info.prior && state.mapped_depth == 0)
@@ -226,9 +232,9 @@ class Analysis {
 
     for (const OutputInfo& output : info.outputs) {
       Shape shape;
-      shape.type = output.type.empty() ? first_type : output.type;
+      shape.type = output.type.empty() ? first.type : output.type;
       if (depth_known)
-        shape.depth = info.structural == Structural::first ? first_depth : state.mapped_depth + output.depth;
+        shape.depth = info.structural == Structural::first ? first.depth : state.mapped_depth + output.depth;
       state.outputs.push_back(shape);
     }
     if (depth_known) check_overrides(node, state.mapped_depth, problems_);

@@ -85,7 +85,17 @@ class Builder {
 
   // builder_sweep.cpp
   void read_sweep(const JsonValue& tree, SweepSettings& sweep);
+  void read_variations(const JsonValue& vary, SweepSettings& sweep);
   bool read_variation(const JsonMember& member, const std::vector<std::string>& swapped, SweepSettings::Vary& vary);
+  bool vary_graph(const Scope& scope, const std::string& owner, const std::string& name, const JsonMember& member,
+                  SweepSettings::Vary& vary);
+  bool vary_node(const FlatNode& node, const std::string& name, const std::vector<std::string>& swapped,
+                 const JsonMember& member, SweepSettings::Vary& vary);
+  static void add_variant(const JsonValue& value, bool is_path, SweepSettings::Vary& vary);
+  void read_metrics(const JsonValue& metric, SweepSettings& sweep);
+  void check_metric(const JsonValue& item, const Reference& reference);
+  const FlatNode* find_node(const std::string& id) const;
+  std::vector<std::string> node_ids() const;
 
   // builder_settings.cpp
   void read_settings(const std::vector<Setting>& settings);

@@ -26,29 +26,30 @@ std::string setting_of(const JsonValue& value) {
 void Builder::read_sweep(const JsonValue& tree, SweepSettings& sweep) {
   const JsonMember* const block = tree.find("sweep");
   if (block == nullptr || !check_object(block->value, {"vary", "metric"}, "the sweep block")) return;
-  if (const JsonMember* const vary = block->value.find("vary")) {
-    if (!vary->value.is(Kind::object)) {
-      problem(vary->value.place(), "found " + found(vary->value) + ", expected an object: {\"node.param\": [1, 2]}");
-    } else {
-      std::map<std::string, std::vector<std::string>> swapped;  // kinds that a node is to be, by its id
-      for (const JsonMember& member : vary->value.members)
-        if (member.key.ends_with(".node"))
-          for (const JsonValue& kind : member.value.items)
-            swapped[member.key.substr(0, member.key.size() - 5)].push_back(kind.text);
-      for (const JsonMember& member : vary->value.members) {
-        SweepSettings::Vary read;
-        if (read_variation(member, swapped[member.key.substr(0, member.key.find_last_of('.'))], read))
-          sweep.vary.push_back(std::move(read));
-      }
-    }
+  if (const JsonMember* const vary = block->value.find("vary")) read_variations(vary->value, sweep);
+  if (const JsonMember* const metric = block->value.find("metric")) read_metrics(metric->value, sweep);
+}
+
+void Builder::read_variations(const JsonValue& vary, SweepSettings& sweep) {
+  if (!vary.is(Kind::object))
+    return problem(vary.place(), "found " + found(vary) + ", expected an object: {\"node.param\": [1, 2]}");
+  std::map<std::string, std::vector<std::string>> swapped;  // kinds that a node is to be, by its id
+  for (const JsonMember& member : vary.members)
+    if (member.key.ends_with(".node"))
+      for (const JsonValue& kind : member.value.items)
+        swapped[member.key.substr(0, member.key.size() - 5)].push_back(kind.text);
+  for (const JsonMember& member : vary.members) {
+    SweepSettings::Vary read;
+    if (read_variation(member, swapped[member.key.substr(0, member.key.find_last_of('.'))], read))
+      sweep.vary.push_back(std::move(read));
   }
-  const JsonMember* const metric = block->value.find("metric");
-  if (metric == nullptr) return;
-  const bool one = metric->value.is(Kind::string);
-  if (!one && (!metric->value.is(Kind::array) || metric->value.items.empty()))
-    return problem(metric->value.place(),
-                   "found " + found(metric->value) + ", expected NODE.OUTPUT, or a list of such texts");
-  for (const JsonValue& item : one ? std::vector<JsonValue>{metric->value} : metric->value.items) {
+}
+
+void Builder::read_metrics(const JsonValue& metric, SweepSettings& sweep) {
+  const bool one = metric.is(Kind::string);
+  if (!one && (!metric.is(Kind::array) || metric.items.empty()))
+    return problem(metric.place(), "found " + found(metric) + ", expected NODE.OUTPUT, or a list of such texts");
+  for (const JsonValue& item : one ? std::vector<JsonValue>{metric} : metric.items) {
     Metric parsed;
     std::string error;
     if (!item.is(Kind::string)) {
@@ -59,22 +60,35 @@ void Builder::read_sweep(const JsonValue& tree, SweepSettings& sweep) {
       problem(item.place(), error);
       continue;
     }
-    const auto node = std::find_if(nodes_.begin(), nodes_.end(),
-                                   [&](const FlatNode& other) { return other.id == parsed.reference.node; });
-    std::vector<std::string> names;
-    for (const FlatNode& other : nodes_) names.push_back(other.id);
-    if (node == nodes_.end()) {
-      problem(item.place(),
-              "the graph has no node '" + parsed.reference.node + "'" + did_you_mean(parsed.reference.node, names));
-    } else if (node->info != nullptr && !parsed.reference.output.empty() &&
-               node->info->find_output(parsed.reference.output) < 0 && find_setting(node->id, "node") == nullptr) {
-      names.clear();
-      for (const OutputInfo& output : node->info->outputs) names.push_back(output.name);
-      problem(item.place(), "'" + node->info->name + "' has no output '" + parsed.reference.output + "'" +
-                                did_you_mean_of(parsed.reference.output, names));
-    }
+    check_metric(item, parsed.reference);
     sweep.metrics.push_back(item.text);
   }
+}
+
+void Builder::check_metric(const JsonValue& item, const Reference& reference) {
+  const FlatNode* const node = find_node(reference.node);
+  if (node == nullptr)
+    return problem(item.place(),
+                   "the graph has no node '" + reference.node + "'" + did_you_mean(reference.node, node_ids()));
+  // Not the fault of the block where a setting has put another kind of node in place.
+  if (node->info == nullptr || reference.output.empty() || node->info->find_output(reference.output) >= 0 ||
+      find_setting(node->id, "node") != nullptr)
+    return;
+  std::vector<std::string> names;
+  for (const OutputInfo& output : node->info->outputs) names.push_back(output.name);
+  problem(item.place(), "'" + node->info->name + "' has no output '" + reference.output + "'" +
+                            did_you_mean_of(reference.output, names));
+}
+
+const FlatNode* Builder::find_node(const std::string& id) const {
+  const auto node = std::find_if(nodes_.begin(), nodes_.end(), [&](const FlatNode& other) { return other.id == id; });
+  return node == nodes_.end() ? nullptr : &*node;
+}
+
+std::vector<std::string> Builder::node_ids() const {
+  std::vector<std::string> ids;
+  for (const FlatNode& node : nodes_) ids.push_back(node.id);
+  return ids;
 }
 
 bool Builder::read_variation(const JsonMember& member, const std::vector<std::string>& swapped,
@@ -89,53 +103,56 @@ bool Builder::read_variation(const JsonMember& member, const std::vector<std::st
   const std::size_t dot = member.key.find_last_of('.');
   const std::string owner = dot == std::string::npos ? "" : member.key.substr(0, dot);
   const std::string name = dot == std::string::npos ? member.key : member.key.substr(dot + 1);
-  const auto add = [&](const JsonValue& value, bool path) {
-    vary.shown.push_back(setting_of(value));
-    vary.values.push_back(path ? resolve_path(*value.source, value.text) : vary.shown.back());
-  };
-
-  for (const Scope& scope : scopes_) {
-    if (scope.prefix != (owner.empty() ? "" : owner + "/")) continue;
-    const auto param = scope.params.find(name);
-    if (param == scope.params.end()) {
-      problem(member.place(), "the graph" + (owner.empty() ? "" : " of '" + owner + "'") + " has no parameter '" +
-                                  name + "'" + did_you_mean_of(name, keys_of(scope.params)));
-      return false;
-    }
-    const BoundParam& bound = param->second;
-    for (const JsonValue& value : values.items) {
-      std::string error;
-      if (bound.path && (!value.is(Kind::string) || value.text.empty()))
-        error = "found " + found(value) + ", expected a path";
-      else
-        read_param(value, bound.type, error);
-      if (!error.empty()) problem(value.place(), error);
-      add(value, bound.path && value.is(Kind::string));
-    }
-    return true;
-  }
-
-  const auto node =
-      std::find_if(nodes_.begin(), nodes_.end(), [&](const FlatNode& other) { return other.id == owner; });
-  if (node == nodes_.end()) {
-    std::vector<std::string> names;
-    for (const FlatNode& other : nodes_) names.push_back(other.id);
-    problem(member.place(), "the graph has no node '" + owner + "'" + did_you_mean(owner, names));
+  for (const Scope& scope : scopes_)
+    if (scope.prefix == (owner.empty() ? "" : owner + "/")) return vary_graph(scope, owner, name, member, vary);
+  const FlatNode* const node = find_node(owner);
+  if (node == nullptr) {
+    problem(member.place(), "the graph has no node '" + owner + "'" + did_you_mean(owner, node_ids()));
     return false;
   }
-  if (name == "node") {
-    for (const JsonValue& value : values.items) {
-      if (!value.is(Kind::string))
-        problem(value.place(), "found " + found(value) + ", expected the name of a node");
-      else
-        find_kind(value.text, value.place());
-      add(value, false);
-    }
-    return true;
+  if (name != "node") return vary_node(*node, name, swapped, member, vary);
+  for (const JsonValue& value : values.items) {
+    if (!value.is(Kind::string))
+      problem(value.place(), "found " + found(value) + ", expected the name of a node");
+    else
+      find_kind(value.text, value.place());
+    add_variant(value, false, vary);
   }
-  // The node's own kind, and those that take its place in this sweep.
+  return true;
+}
+
+void Builder::add_variant(const JsonValue& value, bool is_path, SweepSettings::Vary& vary) {
+  vary.shown.push_back(setting_of(value));
+  vary.values.push_back(is_path ? resolve_path(*value.source, value.text) : vary.shown.back());
+}
+
+// A parameter of the graph, or of one that is embedded as owner.
+bool Builder::vary_graph(const Scope& scope, const std::string& owner, const std::string& name,
+                         const JsonMember& member, SweepSettings::Vary& vary) {
+  const auto param = scope.params.find(name);
+  if (param == scope.params.end()) {
+    problem(member.place(), "the graph" + (owner.empty() ? "" : " of '" + owner + "'") + " has no parameter '" + name +
+                                "'" + did_you_mean_of(name, keys_of(scope.params)));
+    return false;
+  }
+  const BoundParam& bound = param->second;
+  for (const JsonValue& value : member.value.items) {
+    std::string error;
+    if (bound.path && (!value.is(Kind::string) || value.text.empty()))
+      error = "found " + found(value) + ", expected a path";
+    else
+      read_param(value, bound.type, error);
+    if (!error.empty()) problem(value.place(), error);
+    add_variant(value, bound.path && value.is(Kind::string), vary);
+  }
+  return true;
+}
+
+// A parameter of the node's own kind, or of one of those that take its place in this sweep.
+bool Builder::vary_node(const FlatNode& node, const std::string& name, const std::vector<std::string>& swapped,
+                        const JsonMember& member, SweepSettings::Vary& vary) {
   std::vector<const NodeInfo*> kinds;
-  if (node->info != nullptr) kinds.push_back(node->info);
+  if (node.info != nullptr) kinds.push_back(node.info);
   for (const std::string& kind : swapped)
     if (const NodeInfo* const info = context_.find_node(kind)) kinds.push_back(info);
   std::vector<const ParamInfo*> params;
@@ -147,12 +164,12 @@ bool Builder::read_variation(const JsonMember& member, const std::vector<std::st
     }
   if (params.empty()) {
     // Not the fault of the block where a setting has put another kind of node in place.
-    if (!kinds.empty() && find_setting(owner, "node") == nullptr)
+    if (!kinds.empty() && find_setting(node.id, "node") == nullptr)
       problem(member.place(),
-              "the node '" + owner + "' has no parameter '" + name + "'" + did_you_mean_of(name, names));
+              "the node '" + node.id + "' has no parameter '" + name + "'" + did_you_mean_of(name, names));
     return false;
   }
-  for (const JsonValue& value : values.items) {
+  for (const JsonValue& value : member.value.items) {
     std::string error, first;
     const bool fits = std::any_of(params.begin(), params.end(), [&](const ParamInfo* param) {
       error.clear();
@@ -161,7 +178,7 @@ bool Builder::read_variation(const JsonMember& member, const std::vector<std::st
       return taken;
     });
     if (!fits) problem(value.place(), first);
-    add(value, false);
+    add_variant(value, false, vary);
   }
   return true;
 }
