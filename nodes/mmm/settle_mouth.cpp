@@ -12,6 +12,7 @@
 #include "nodes/track/flow_pair.h"
 #include "nodes/track/inner_lips.h"
 #include "nodes/track/jaw_line.h"
+#include "nodes/track/lip_colours.h"
 #include "nodes/track/mouth_shape.h"
 #include "nodes/track/outline.h"
 #include "nodes/track/settle.h"
@@ -110,7 +111,8 @@ Landmarks parting(const Image& image, const Points& points, const Landmarks& pla
     lips.points.push_back(places.points[points.outline[static_cast<std::size_t>(i)]]);
     lips.points.back().name = "lip_" + std::to_string(i);
   }
-  Landmarks found = track::inner_lips(image, lips);
+  const track::LipColoursResult seen = track::lip_colours(image, lips);
+  Landmarks found = track::inner_lips(seen.colours, seen.contrast, lips);
   found.points.erase(found.points.begin(), found.points.begin() + outer_count);
   for (Landmark& point : found.points) point.name = name_of(first_inner + (point.name.back() - '0'));
   return found;

@@ -10,11 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/base/check_image.h"
+#include "nodes/base/check.h"
 #include "nodes/base/find_landmark.h"
-#include "nodes/track/face_contrast.h"
 #include "nodes/track/head_motion.h"
-#include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
 #include "nodes/track/lip_redness.h"
 #include "nodes/track/solid_head.h"
@@ -214,20 +212,24 @@ std::optional<Thickness> expected_thickness(const RestMouth& rest, const LipLine
   return result;
 }
 
+Colour contrast_of(const Matrix& numbers) {
+  check(numbers.rows == 1 && numbers.columns == 3 && numbers.values.size() == 3, "contrast is ", numbers.rows, " x ",
+        numbers.columns, ", expected 1 x 3 as lip_colours gives it");
+  for (const double value : numbers.values)
+    check(std::isfinite(value) && value > 0, "contrast has ", value, ", expected numbers above 0");
+  return {numbers.values[0], numbers.values[1], numbers.values[2]};
+}
+
 }  // namespace
 
-Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Landmarks* rest, const Matrix* depths_px,
-                     const Matrix* head, const Matrix* light, const InnerLipsOptions& options) {
-  check_image(picture, "the image");
-  Image room;
-  const Image& image = in_start_light(picture, light ? light_of(*light) : LightChange{}, room);
+Landmarks inner_lips(const Matrix& colours, const Matrix& contrast, const Landmarks& landmarks, const Landmarks* rest,
+                     const Matrix* depths_px, const Matrix* head, const InnerLipsOptions& options) {
   for (const Landmark& point : landmarks.points)
     check(!point.name.starts_with("inner_lip_"), "there is a landmark ", point.name, " already");
   const MouthWidth width = mouth_width(landmarks);
   std::vector<LipLine> lines;
-  for (int i = 1; i <= 3; ++i) lines.push_back(lip_line(landmarks, i + 1));
-  const FaceColours colours = colours_about(image, lines, width);
-  const LipColour contrast = face_contrast(image, landmarks);
+  for (int line = 1; line <= lip_lines; ++line) lines.push_back(lip_line(landmarks, line + 1));
+  const Colour contrasts = contrast_of(contrast);
   std::optional<RestMouth> resting;
   if (rest) resting = rest_mouth(landmarks, {rest, depths_px, head});
   Landmarks out = landmarks;
@@ -236,9 +238,9 @@ Landmarks inner_lips(const Image& picture, const Landmarks& landmarks, const Lan
     const LipLine& line = lines[i];
     const std::optional<Thickness> expected =
         resting ? expected_thickness(*resting, line, i + 1, width, options.thickening) : std::nullopt;
-    const std::vector<Colour> seen = colours_along(colours, line, width);
+    const std::vector<Colour> seen = colours_of_line(colours, static_cast<int>(i + 1));
     const Gap gap =
-        expected ? likely_gap(seen, contrast, *expected, options) : find_gap(seen, contrast, options.unlike);
+        expected ? likely_gap(seen, contrasts, *expected, options) : find_gap(seen, contrasts, options.unlike);
     const auto at = [&](double v, std::size_t number) {
       return Landmark{"inner_lip_" + std::to_string(number), (1 - v) * line.upper->x_px + v * line.lower->x_px,
                       (1 - v) * line.upper->y_px + v * line.lower->y_px, line.upper->valid && line.lower->valid};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
 
@@ -21,7 +20,7 @@ struct InnerLipsOptions {
 // ends (the maximum-sum interval of what exceeds `unlike`; Bentley, Programming Pearls, CACM 1984): teeth, tongue in
 // the shade or the hollow of the mouth. Where there is none, the darkest place. The seam of shut lips is dark and as
 // wide as the picture is blurred: compare with what is found on the shut mouth. How much is unlike goes by the contrast
-// of the picture (face_contrast.h): the same mouth is as far open in a flat film as in a hard one. What is as red as
+// of the picture: the same mouth is as far open in a flat film as in a hard one. What is as red as
 // the lips is lip, however dark or glossy (lip_redness.h). The result has the
 // points of `landmarks` and after them inner_lip_1 to inner_lip_3 (upper) and inner_lip_7, _6, _5 below them; not valid
 // where an outer point of their line is not. Throws where one of the six outer points is missing, or an inner one is
@@ -33,9 +32,9 @@ struct InnerLipsOptions {
 // (N x 1: how far rest's points are towards the viewer) and head (its pose since rest, as stabilise.h takes them) say
 // how the mouth at rest would be seen in this frame; without either, or where the head is not seen, the distances
 // between the eyes and the tip of the nose tell its scale alone.
-// light: takes the picture back to the light of the film's first frame (track_klt.h); null = it is the same.
-Landmarks inner_lips(const Image& image, const Landmarks& landmarks, const Landmarks* rest = nullptr,
-                     const Matrix* depths_px = nullptr, const Matrix* head = nullptr, const Matrix* light = nullptr,
+// colours, contrast: what the picture shows (lip_colours.h).
+Landmarks inner_lips(const Matrix& colours, const Matrix& contrast, const Landmarks& landmarks,
+                     const Landmarks* rest = nullptr, const Matrix* depths_px = nullptr, const Matrix* head = nullptr,
                      const InnerLipsOptions& options = {});
 
 }  // namespace face::track

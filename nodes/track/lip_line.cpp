@@ -55,6 +55,19 @@ std::vector<LipColour> colours_along(const FaceColours& colours, const LipLine& 
   return out;
 }
 
+std::vector<LipColour> colours_of_line(const Matrix& colours, int line) {
+  constexpr std::size_t samples = lip_line_samples, rows = lip_lines * samples;
+  check(colours.rows == rows && colours.columns == 3 && colours.values.size() == 3 * rows, "colours is ", colours.rows,
+        " x ", colours.columns, ", expected ", rows, " x 3 as lip_colours gives it");
+  std::vector<LipColour> out;
+  for (std::size_t row = static_cast<std::size_t>(line - 1) * samples; out.size() < samples; ++row) {
+    for (std::size_t c = 0; c < 3; ++c)
+      check(std::isfinite(colours.at(row, c)), "colours has ", colours.at(row, c), ", expected finite numbers");
+    out.push_back({colours.at(row, 0), colours.at(row, 1), colours.at(row, 2)});
+  }
+  return out;
+}
+
 double place_on_line(std::size_t sample) { return (static_cast<double>(sample) + 0.5) / lip_line_samples; }
 
 double mean_between(const std::vector<double>& samples, double from, double to) {

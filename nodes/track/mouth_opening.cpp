@@ -5,9 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "nodes/base/check_image.h"
 #include "nodes/base/find_landmark.h"
-#include "nodes/track/light_change.h"
 #include "nodes/track/lip_line.h"
 #include "nodes/track/lip_redness.h"
 
@@ -40,15 +38,12 @@ double usual_width_px(const Landmarks& landmarks, const MouthWidth& width) {
 
 }  // namespace
 
-double mouth_opening(const Image& picture, const Landmarks& landmarks, const Matrix* light) {
-  check_image(picture, "the image");
-  Image room;
-  const Image& image = in_start_light(picture, light ? light_of(*light) : LightChange{}, room);
+double mouth_opening(const Matrix& seen, const Landmarks& landmarks) {
   const MouthWidth width = mouth_width(landmarks);
   const LipLine line = lip_line(landmarks, 3);
   const LipLine corners = {find_landmark(landmarks, "lip_0"), find_landmark(landmarks, "lip_6")};
   if (!line.upper->valid || !line.lower->valid || !corners.upper->valid || !corners.lower->valid) return -1;
-  const std::vector<LipColour> colours = colours_along(colours_about(image, {line}, width), line, width);
+  const std::vector<LipColour> colours = colours_of_line(seen, 2);
   std::vector<double> luma;
   for (const LipColour& colour : colours) luma.push_back(colour[2]);
   const double height_px = std::hypot(line.lower->x_px - line.upper->x_px, line.lower->y_px - line.upper->y_px);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "nodes/types/image.h"
 #include "nodes/types/landmarks.h"
 #include "nodes/types/matrix.h"
 
@@ -12,8 +11,8 @@ namespace face::track {
 // and the hollow of a mouth do. What is left of lips that meet, a dark seam and grain, depends on the speaker, the
 // light and the camera: compare with other frames (find_contact.h). Where the lips are hardly red, as in a grey film,
 // brightness tells, but badly: how far it is from what lips alone would show, brought to the same scale. -1 where a
-// point of the line or a corner of the mouth is not valid. Throws where one is missing. light: takes the picture back
-// to the light of the film's first frame (track_klt.h); null = it is the same.
-double mouth_opening(const Image& image, const Landmarks& landmarks, const Matrix* light = nullptr);
+// point of the line or a corner of the mouth is not valid. Throws where one is missing. colours: what is seen on the
+// line (lip_colours.h).
+double mouth_opening(const Matrix& colours, const Landmarks& landmarks);
 
 }  // namespace face::track

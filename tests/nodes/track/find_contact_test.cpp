@@ -8,9 +8,8 @@
 #include <cstdio>
 #include <map>
 
-#include "nodes/track/inner_lips.h"
-#include "nodes/track/mouth_opening.h"
 #include "tests/nodes/track/grid_clip.h"
+#include "tests/nodes/track/lips_in.h"
 #include "tests/nodes/track/phantom_clip.h"
 #include "tests/support/data.h"
 #include "tests/support/expect_throw_text.h"
@@ -33,8 +32,8 @@ std::vector<double> contacts_of(const std::vector<std::shared_ptr<const Image>>&
   std::vector<double> openings;
   std::vector<Landmarks> lips;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    openings.push_back(track::mouth_opening(*frames[i], points[i]));
-    lips.push_back(track::inner_lips(*frames[i], points[i]));
+    openings.push_back(test::mouth_opening_in(*frames[i], points[i]));
+    lips.push_back(test::inner_lips_in(*frames[i], points[i]));
   }
   const engine::Seq<Landmarks> landmarks(lips);
   return contacts_of(openings, {}, &landmarks);

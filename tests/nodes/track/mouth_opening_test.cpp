@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/nodes/track/drawn_mouth.h"
+#include "tests/nodes/track/lips_in.h"
 #include "tests/support/expect_throw_text.h"
 
 using namespace face;
@@ -11,7 +12,7 @@ using test::DrawnMouth;
 
 namespace {
 
-double opening(const DrawnMouth& mouth) { return track::mouth_opening(mouth.image(), mouth.outer()); }
+double opening(const DrawnMouth& mouth) { return test::mouth_opening_in(mouth.image(), mouth.outer()); }
 
 }  // namespace
 
@@ -31,7 +32,7 @@ TEST(MouthOpening, OfTeethIsThatOfAHollow) {
 TEST(MouthOpening, OfLipsAloneIsSmall) { EXPECT_LE(opening({}), 0.01); }
 
 TEST(MouthOpening, OfLipsThatAreGlossyOrInTheShadeIsSmall) {
-  const auto lit = [](const DrawnMouth& mouth) { return track::mouth_opening(test::glossy(mouth), mouth.outer()); };
+  const auto lit = [](const DrawnMouth& mouth) { return test::mouth_opening_in(test::glossy(mouth), mouth.outer()); };
   EXPECT_LE(lit({}), 0.01);
   EXPECT_GE(lit({4, 4, test::tooth}), 0.04);
   EXPECT_GE(lit({4, 4, test::hollow}), 0.04);
@@ -42,8 +43,8 @@ TEST(MouthOpening, ChangesLittleInHalfTheLightAndInAFlatPicture) {
   Image dim = mouth.image(), flat = dim;
   for (std::uint8_t& value : dim.pixels) value = static_cast<std::uint8_t>(value * 6 / 10);
   for (std::uint8_t& value : flat.pixels) value = static_cast<std::uint8_t>(80 + value * 4 / 10);
-  EXPECT_NEAR(track::mouth_opening(dim, mouth.outer()) / opening(mouth), 1, 0.1);
-  EXPECT_NEAR(track::mouth_opening(flat, mouth.outer()) / opening(mouth), 1, 0.1);
+  EXPECT_NEAR(test::mouth_opening_in(dim, mouth.outer()) / opening(mouth), 1, 0.1);
+  EXPECT_NEAR(test::mouth_opening_in(flat, mouth.outer()) / opening(mouth), 1, 0.1);
 }
 
 TEST(MouthOpening, OfAGreyPictureGrowsWithWhatShowsBetweenTheLips) {
@@ -51,7 +52,7 @@ TEST(MouthOpening, OfAGreyPictureGrowsWithWhatShowsBetweenTheLips) {
     Image image = mouth.image();
     for (std::size_t i = 0; i < image.pixels.size(); i += 3)
       image.pixels[i + 1] = image.pixels[i + 2] = image.pixels[i];
-    return track::mouth_opening(image, mouth.outer());
+    return test::mouth_opening_in(image, mouth.outer());
   };
   EXPECT_GE(grey({2, 2}), 1.3 * grey({}));
   EXPECT_GE(grey({4, 4}), 1.5 * grey({2, 2}));
@@ -62,7 +63,7 @@ TEST(MouthOpening, IsNotKnownWhereAPointIsLost) {
   for (const std::size_t lip : {0, 3, 6, 9}) {
     Landmarks outer = mouth.outer();
     outer.points[lip].valid = false;
-    EXPECT_EQ(track::mouth_opening(mouth.image(), outer), -1) << lip;
+    EXPECT_EQ(test::mouth_opening_in(mouth.image(), outer), -1) << lip;
   }
 }
 
@@ -70,6 +71,6 @@ TEST(MouthOpening, WantsTheLipsOfTheLayout) {
   const DrawnMouth mouth;
   Landmarks outer = mouth.outer();
   outer.points.erase(outer.points.begin() + 3);
-  EXPECT_THROW_TEXT(track::mouth_opening(mouth.image(), outer),
+  EXPECT_THROW_TEXT(test::mouth_opening_in(mouth.image(), outer),
                     "there is no landmark lip_3: the lips' points are lip_0 to lip_11");
 }
