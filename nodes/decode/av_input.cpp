@@ -6,6 +6,7 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <utility>
@@ -107,6 +108,39 @@ AvInput::~AvInput() {
 }
 
 void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
+  for_frames_while([&](const AVFrame& frame) {
+    use(frame);
+    return true;
+  });
+}
+
+bool AvInput::for_frames_from(double time_s, const std::function<bool(const AVFrame&)>& use) {
+  const std::string_view demuxer = format_->iformat->name;
+  if (!demuxer.starts_with("mov,") && !demuxer.starts_with("matroska")) return false;
+  const std::int64_t stamp = stamp_of(time_s);
+  if (av_seek_frame(format_, stream_->index, stamp, AVSEEK_FLAG_BACKWARD) < 0) return false;
+  avcodec_flush_buffers(codec_);
+  bool from_key = false, begun = false;
+  for_frames_while([&](const AVFrame& frame) {
+    // Those that are shown before the key frame were coded by others, which the decoder has not seen.
+    if (!begun && frame.key_frame == 0) return frame.best_effort_timestamp < stamp;
+    if (!begun) from_key = frame.best_effort_timestamp <= stamp;
+    begun = true;
+    return from_key && use(frame);
+  });
+  return from_key;
+}
+
+bool AvInput::share_key_frame(double one_s, double other_s) const {
+  const AVIndexEntry* const one =
+      avformat_index_get_entry_from_timestamp(stream_, stamp_of(one_s), AVSEEK_FLAG_BACKWARD);
+  const std::int64_t key = one ? one->timestamp : AV_NOPTS_VALUE;
+  const AVIndexEntry* const other =
+      avformat_index_get_entry_from_timestamp(stream_, stamp_of(other_s), AVSEEK_FLAG_BACKWARD);
+  return one && other && key == other->timestamp;
+}
+
+void AvInput::for_frames_while(const std::function<bool(const AVFrame&)>& use) {
   const auto free_packet = [](AVPacket* p) { av_packet_free(&p); };
   const auto free_frame = [](AVFrame* f) { av_frame_free(&f); };
   const std::unique_ptr<AVPacket, decltype(free_packet)> packet(av_packet_alloc(), free_packet);
@@ -117,9 +151,9 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
   const auto receive = [&] {
     for (;;) {
       const int code = avcodec_receive_frame(codec_, frame.get());
-      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return true;
       if (code < 0) fail(title_, " near byte ", byte, ": cannot be decoded: ", av_error_text(code));
-      use(*frame);
+      if (!use(*frame)) return false;
       av_frame_unref(frame.get());
     }
   };
@@ -135,7 +169,7 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
       code = avcodec_send_packet(codec_, packet.get());
       if (code < 0 && code != AVERROR(EAGAIN))
         fail(title_, " near byte ", byte, ": cannot be decoded: ", av_error_text(code));
-      receive();
+      if (!receive()) return;
     }
     av_packet_unref(packet.get());
   }
@@ -143,11 +177,17 @@ void AvInput::for_each_frame(const std::function<void(const AVFrame&)>& use) {
   receive();
 }
 
+double AvInput::start_s() const {
+  return format_->start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->start_time) / AV_TIME_BASE;
+}
+
+std::int64_t AvInput::stamp_of(double time_s) const {
+  return static_cast<std::int64_t>(std::llround((time_s + start_s()) / av_q2d(stream_->time_base)));
+}
+
 double AvInput::time_s(const AVFrame& frame) const {
   if (frame.best_effort_timestamp == AV_NOPTS_VALUE) return -std::numeric_limits<double>::infinity();
-  const double start =
-      format_->start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(format_->start_time) / AV_TIME_BASE;
-  return static_cast<double>(frame.best_effort_timestamp) * av_q2d(stream_->time_base) - start;
+  return static_cast<double>(frame.best_effort_timestamp) * av_q2d(stream_->time_base) - start_s();
 }
 
 double AvInput::stated_duration_s() const {

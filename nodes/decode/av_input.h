@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -25,6 +26,14 @@ class AvInput {
 
   // Calls once per decoded frame, in display order. Throws at data that cannot be decoded, with the byte.
   void for_each_frame(const std::function<void(const AVFrame&)>& use);
+  // The same until `use` says false.
+  void for_frames_while(const std::function<bool(const AVFrame&)>& use);
+  // The same from the last key frame at or before a time of time_s() on. False, without a frame, where the container
+  // keeps no time of its own for every frame and thus cannot be sought in (all but MP4, MOV, MKV and WebM), or where no
+  // key frame is found.
+  bool for_frames_from(double time_s, const std::function<bool(const AVFrame&)>& use);
+  // Whether frames of these times are decoded from the same key frame.
+  bool share_key_frame(double one_s, double other_s) const;
 
   const AVCodecContext& codec() const { return *codec_; }
   const AVStream& stream() const { return *stream_; }
@@ -35,6 +44,8 @@ class AvInput {
   double stated_duration_s() const;
 
  private:
+  double start_s() const;
+  std::int64_t stamp_of(double time_s) const;
   std::string title_;
   AVFormatContext* format_ = nullptr;
   AVCodecContext* codec_ = nullptr;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "nodes/types/key_shapes.h"
 #include "tests/conformance/samples/shared.h"
 #include "tests/support/depth_pictures.h"
 #include "tests/support/model_files.h"
@@ -94,6 +95,11 @@ Sample eos_expressions(engine::Plugins&, int variant) {
           "file"};
 }
 
+// Of a film of four frames.
+const Maker second_or_third_frame = made([](int variant) {
+  return face::KeyShapes{{{std::to_string(1 + variant % 2), 1, {}}}};
+});
+
 std::string sixty_eight(int first) {
   std::string list = "[" + std::to_string(first);
   for (int i = 1; i < 68; ++i) list += ", " + std::to_string(i % 3);
@@ -105,6 +111,9 @@ const Registered decode({
         {
             {"decode.audio.file", tone},
             {"decode.video.file", file_by("export.video")},
+            {"decode.key_frames.file", file_by("export.video")},
+            {"decode.key_frames.timeline", made_by("decode.video", "timeline")},
+            {"decode.key_frames.key_shapes", second_or_third_frame},
             {"decode.rig.file", file_by("export.gltf")},
             {"decode.npy.file", file_by("export.npy")},
             // Shares of the picture, whose size it takes from there.
