@@ -47,8 +47,12 @@ std::string expected_one(const ParamInfo& param, bool plural) {
   return {};
 }
 
+// A real number without bounds may be any; an integer has to be exact as a double.
 bool in_range(double value, const ParamInfo& param) {
-  return std::isfinite(value) && value >= param.low && value <= param.high;
+  const bool real = param.kind == ParamKind::real;
+  const bool low = value >= param.low || (real && param.low <= -most_exact);
+  const bool high = value <= param.high || (real && param.high >= most_exact);
+  return std::isfinite(value) && low && high;
 }
 
 bool fits(const JsonValue& value, const ParamInfo& param) {
@@ -73,6 +77,8 @@ bool fits(const JsonValue& value, const ParamInfo& param) {
 std::string mismatch(const JsonValue& value, const ParamInfo& param) {
   std::string text = "found " + found(value) + ", expected " + expected_value(param);
   if (param.kind == ParamKind::choice && value.is(Kind::string)) text += did_you_mean(value.text, param.choices);
+  if (param.kind == ParamKind::integer && value.is(Kind::integer) && range_text(param).empty())
+    text += " of at most " + number_text(most_exact) + " in size";
   return text;
 }
 

@@ -153,11 +153,14 @@ void Level::finish() {
                       " and " + std::to_string(held.ids.size()) + " elements)");
   }
   if (!sparse_.empty()) lead.index();
+  // What could not be made lacks elements without having a word in it.
+  const bool whole = !broken && !required_[0].tree->broken;
   for (const Driver& driver : sparse_)
     for (const std::string& id : driver.tree->sequence->ids)
-      if (!lead.positions.contains(id))
+      if (whole && !lead.positions.contains(id))
         return fail_level("input '" + graph_node.info->inputs[driver.port].name + "' has an element '" + id +
-                          "' that input '" + graph_node.info->inputs[required_[0].port].name + "' has not");
+                          "' that input '" + graph_node.info->inputs[required_[0].port].name + "' has not, which has " +
+                          (lead.ids.empty() ? "none" : "'" + lead.ids.front() + "' to '" + lead.ids.back() + "'"));
   done_ = true;
   for (Tree* output : outputs_) {
     if (broken) output->broken = output->sequence->cut_off = true;

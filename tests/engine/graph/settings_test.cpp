@@ -82,6 +82,10 @@ TEST_F(Settings, AreChecked) {
             "/nodes/many/params/times)\n");
   EXPECT_EQ(files.problems("graph.json", {{"many.times", "1.5"}}),
             "command line: --set many.times: found the number 1.5, expected an integer from 1 to 1000\n");
+  // "found the number 20000000000000000, expected an integer"
+  EXPECT_EQ(files.problems("graph.json", {{"times", "20000000000000000"}}),
+            "command line: --set times: found the number 20000000000000000, expected an integer of at most "
+            "9007199254740991 in size\n");
   EXPECT_EQ(files.problems("graph.json", {{"shout.mode", "title"}}),
             "command line: --set shout.mode: found the string \"title\", expected one of \"upper\", \"lower\"\n");
   EXPECT_EQ(files.problems("graph.json", {{"more.amount", "nan"}}),

@@ -135,8 +135,30 @@ TEST_F(ElementReruns, ASparseOptionalInputIsAbsentWhereItHasNoElement) {
   EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).failures, std::vector<std::string>{});
   EXPECT_EQ(out("all.txt"), "7\n9\n7\n7");
   write("more/9.txt", "xx");
-  EXPECT_EQ(run(graph(nodes, R"("all.txt": "all")")).failures,
-            std::vector<std::string>{"sums: input 'b' has an element '9' that input 'a' has not"});
+  EXPECT_EQ(
+      run(graph(nodes, R"("all.txt": "all")")).failures,
+      std::vector<std::string>{"sums: input 'b' has an element '9' that input 'a' has not, which has '1' to '4'"});
+}
+
+// Of a film in which nobody is seen every later step said that its own inputs did not fit.
+TEST_F(ElementReruns, ASparseInputOfWhatCouldNotBeMadeIsNoFailureOfItsOwn) {
+  write_frames(2);
+  write("more/0.txt", "xx");
+  const std::string nodes = std::string(texts) + R"(,
+"whole": {"node": "toy.join_texts", "inputs": {"texts": "texts"}},
+"whole_text": {"node": "toy.read_text", "inputs": {"file": "whole"}},
+"refused": {"node": "toy.fail", "inputs": {"text": "whole_text"}, "params": {"when": "frame"}},
+"copies": {"node": "toy.repeat", "inputs": {"text": "refused"}},
+"copy_lengths": {"node": "toy.length", "inputs": {"text": "copies"}},
+"more": {"node": "files.list", "inputs": {"folder": {"file": "more"}}},
+"more_texts": {"node": "toy.read_text", "inputs": {"file": "more"}},
+"more_lengths": {"node": "toy.length", "inputs": {"text": "more_texts"}},
+"sums": {"node": "toy.add", "inputs": {"a": "copy_lengths", "b": "more_lengths"}},
+"shown": {"node": "toy.number_text", "inputs": {"number": "sums"}},
+"all": {"node": "toy.join_texts", "inputs": {"texts": "shown"}})";
+  const engine::RunResult result = run(graph(nodes, R"("all.txt": "all")"));
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_EQ(result.failures[0].substr(0, 7), "refused");
 }
 
 TEST_F(ElementReruns, UnequalIdsNameBothPortsAndTheFirstOddId) {
