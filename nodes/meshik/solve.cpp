@@ -37,7 +37,7 @@ struct MeshIkSolver::State {
 
   // Megabytes that are used again from step to step.
   struct Room {
-    std::vector<BlendTile> tiles;  // the moving ones
+    std::vector<BlendTile> tiles;  // the moving ones, at the weights that were evaluated last
     std::vector<double> sums;
   };
 
@@ -95,16 +95,15 @@ struct MeshIkSolver::State {
     static constexpr std::size_t tiles = 16;  // whose rows stay in the cache
     std::array<std::vector<float>, 3> rows;
 
-    // Returns how many triangles these are.
-    std::size_t fill(const MeshSpace& space, std::size_t first, const std::vector<double>& weights, std::size_t width) {
+    // blends: of all moving tiles. Returns how many triangles these are.
+    std::size_t fill(const MeshSpace& space, std::size_t first, const std::vector<BlendTile>& blends,
+                     std::size_t width) {
       const std::size_t end = std::min(first + tiles, moving_tile_count(space));
       for (std::vector<float>& part : rows) part.assign((end - first) * tile_lanes * 2 * width, 0.0f);
-      BlendTile blend;
       TileVectors derivative;
       for (std::size_t tile = first; tile < end; ++tile) {
-        blend_tile(space, tile, weights.data(), blend);
-        for (std::size_t k = 0; k < weights.size(); ++k) {
-          blend_derivative(space, tile, k, blend, derivative);
+        for (std::size_t k = 0; k < space.example_count; ++k) {
+          blend_derivative(space, tile, k, blends[tile], derivative);
           for (std::size_t d = 0; d < 3; ++d) {
             float* const to = &rows[d][(tile - first) * tile_lanes * 2 * width + k];
             for (std::size_t l = 0; l < tile_lanes; ++l)
@@ -117,16 +116,16 @@ struct MeshIkSolver::State {
   };
 
   // Half the second derivative of the energy, without the curvature of M (Gauss-Newton), in single precision: it only
-  // steers.
-  Eigen::MatrixXd hessian(const std::vector<double>& weights) const {
-    const std::size_t examples = weights.size(), width = (examples + 7) / 8 * 8, count = free_count(space);
+  // steers. blends: of all moving tiles, at the weights that it is wanted for.
+  Eigen::MatrixXd hessian(const std::vector<BlendTile>& blends) const {
+    const std::size_t examples = space.example_count, width = (examples + 7) / 8 * 8, count = free_count(space);
     FloatMatrix hessian = FloatMatrix::Zero(index(width), index(width));
     // B = G'J of each axis.
     std::array<std::vector<float>, 3> sums;
     for (std::vector<float>& part : sums) part.assign((count + 1) * width, 0.0f);
     Derivatives block;
     for (std::size_t first = 0; first < moving_tile_count(space); first += Derivatives::tiles) {
-      const std::size_t triangles = block.fill(space, first, weights, width);
+      const std::size_t triangles = block.fill(space, first, blends, width);
       for (std::size_t d = 0; d < 3; ++d) {
         const Eigen::Map<const FloatMatrix> j(block.rows[d].data(), index(2 * triangles), index(width));
         hessian.selfadjointView<Eigen::Lower>().rankUpdate(j.transpose());
@@ -204,11 +203,13 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
   };
   Eigen::MatrixXd hessian;
   double damping = 0;
-  bool fresh = false;
+  bool fresh = false, stepped_back = false;
   while (!best.converged && best.iterations < options.max_iterations) {
     ++best.iterations;
     if (hessian.size() == 0) {
-      hessian = state_->hessian(best.weights);
+      // After a step that was not taken the blends are those of where it led.
+      if (stepped_back) state_->evaluate(targets, best.weights, best.vertices_mm, nullptr, room);
+      hessian = state_->hessian(room.tiles);
       // Single precision leaves 1e-6 of the diagonal uncertain.
       hessian.diagonal().array() += restraint + 1e-6 * hessian.trace() / static_cast<double>(count);
       fresh = true;
@@ -227,6 +228,7 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
     // Rounding may raise an energy that is at its least.
     if (after > before * (1 + 1e-10) + 1e-18) {
       best.converged = last;
+      stepped_back = true;
       // Another Hessian first; where this one was new, a shorter step.
       if (fresh)
         damping = damping > 0 ? damping * 10 : 1e-3;
@@ -234,6 +236,7 @@ VertexSolution MeshIkSolver::solve_vertices(const VertexTargets& targets, const 
         hessian.resize(0, 0);
       continue;
     }
+    stepped_back = false;
     best.weights = std::move(weights);
     best.vertices_mm = std::move(vertices);
     best.energy = energy;

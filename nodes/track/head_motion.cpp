@@ -18,7 +18,6 @@ using Numbers = Eigen::Matrix<double, 6, 1>;
 
 // Each pixel the mean of `times` x `times`.
 Grey reduced(const Grey& grey, int times) {
-  if (times <= 1) return grey;
   Grey small{std::max(1, grey.width / times), std::max(1, grey.height / times), {}};
   small.values.reserve(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   for (int y = 0; y < small.height; ++y)
@@ -34,10 +33,12 @@ Grey reduced(const Grey& grey, int times) {
 
 // A picture of which one pixel is about as large as the raster's step.
 struct Level {
-  Grey grey;
+  const Grey* whole = nullptr;  // outlives the level
+  Grey small;                   // where `times` is more than 1
   int times = 1;
   double at(Place place) const {
     const double shift = (times - 1) / 2.0;
+    const Grey& grey = times > 1 ? small : *whole;
     return static_cast<double>(grey.at((place.real() - shift) / times, (place.imag() - shift) / times));
   }
   double unit() const { return times; }
@@ -45,7 +46,7 @@ struct Level {
 
 Level level_of(const Grey& grey, double step_px) {
   const int times = std::max(1, static_cast<int>(std::lround(step_px)));
-  return {reduced(grey, times), times};
+  return {&grey, times > 1 ? reduced(grey, times) : Grey{}, times};
 }
 
 // Means over squares of a raster of `width` columns.

@@ -41,16 +41,21 @@ double noise_level(const Image& image, const Landmarks& points) {
   return median(std::move(sizes)) / norm / median_of_normal;
 }
 
-Image smooth_noise(const Image& image, const Landmarks& points) {
+const Image& without_noise(const Image& image, const Landmarks& points, Image& room) {
   const double share = std::clamp((noise_level(image, points) - clean) / (noisy - clean), 0.0, 1.0);
   if (share == 0) return image;
-  Image smooth = image;
+  room = image;
   const int type = CV_8UC(image.channels);
   const cv::Mat from(image.height, image.width, type, const_cast<std::uint8_t*>(image.pixels.data()));
-  cv::Mat to(image.height, image.width, type, smooth.pixels.data());
+  cv::Mat to(image.height, image.width, type, room.pixels.data());
   const double bell_px = most_px * share;
   cv::GaussianBlur(from, to, cv::Size(7, 7), bell_px, bell_px, cv::BORDER_REPLICATE);
-  return smooth;
+  return room;
+}
+
+Image smooth_noise(const Image& image, const Landmarks& points) {
+  Image room;
+  return without_noise(image, points, room);
 }
 
 }  // namespace face::track

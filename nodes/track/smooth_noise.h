@@ -14,5 +14,7 @@ double noise_level(const Image& image, const Landmarks& points);
 // The image, smoothed by as much as it is noisy: not at all below a level that cameras have by day, by a bell of a
 // pixel's standard deviation at twice of it, so that the patches of a noisy film still look like themselves.
 Image smooth_noise(const Image& image, const Landmarks& points);
+// The same without a copy where the picture is clean: the picture itself, else what is made in `room`.
+const Image& without_noise(const Image& image, const Landmarks& points, Image& room);
 
 }  // namespace face::track

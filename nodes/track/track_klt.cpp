@@ -266,14 +266,15 @@ void put_right(const Knowledge& known, const Landmarks& correction, const Grey& 
 
 TrackKltResult track(const engine::Window<Image>& frames, const Landmarks& start, const Landmarks* correction,
                      const engine::Prior<TrackKltResult>& prior, const TrackKltOptions& options) {
-  const Image frame = smooth_noise(frames.centre(), start);
+  Image room, room_before;
+  const Image& frame = without_noise(frames.centre(), start, room);
   const Grey now = grey_of(frame);
   Knowledge known(start, options);
   TrackKltResult result;
   if (prior) {
     result = *prior;
     known.learn_sides(result.patches);
-    const Grey before = grey_of(smooth_noise(frames[frames.centre_index() - 1], start));
+    const Grey before = grey_of(without_noise(frames[frames.centre_index() - 1], start, room_before));
     const FlowPair flow(before, now, known.side_px, static_cast<int>(options.levels));
     advance(known, flow, frame, before, now, result);
     for (Landmark& point : result.put_right.points) {
