@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "nodes/types/key_shapes.h"
+#include "nodes/types/timeline.h"
 #include "tests/conformance/samples/shared.h"
 #include "tests/support/depth_pictures.h"
 #include "tests/support/model_files.h"
@@ -100,6 +101,11 @@ const Maker second_or_third_frame = made([](int variant) {
   return face::KeyShapes{{{std::to_string(1 + variant % 2), 1, {}}}};
 });
 
+const Maker timeline_or_its_first_frame =
+    changed<face::Timeline>(made_by("decode.video", "timeline"), [](face::Timeline& timeline, int variant) {
+      if (variant > 0) timeline.time_s.resize(1);
+    });
+
 std::string sixty_eight(int first) {
   std::string list = "[" + std::to_string(first);
   for (int i = 1; i < 68; ++i) list += ", " + std::to_string(i % 3);
@@ -112,7 +118,7 @@ const Registered decode({
             {"decode.audio.file", tone},
             {"decode.video.file", file_by("export.video")},
             {"decode.key_frames.file", file_by("export.video")},
-            {"decode.key_frames.timeline", made_by("decode.video", "timeline")},
+            {"decode.key_frames.timeline", timeline_or_its_first_frame},
             {"decode.key_frames.key_shapes", second_or_third_frame},
             {"decode.rig.file", file_by("export.gltf")},
             {"decode.npy.file", file_by("export.npy")},
@@ -150,6 +156,8 @@ const Registered decode({
                {"decode.depth_take.face_change_mm", {10.0}},
                {"decode.depth_take.least_face", {0.9}}},
     .shown_elsewhere = {{"decode.model.identities", "counts for an .npz, the sample is a .bin (ReadModel tests)"}},
+    .only_refuses = {{"decode.key_frames.timeline",
+                      "says where a frame is looked for; frames that it lacks are refused"}},
 });
 
 }  // namespace
