@@ -22,6 +22,7 @@ namespace {
 constexpr float below_eyes_mm = 4, eyes_fade_mm = 14, below_chin_mm = 2, chin_fade_mm = 12, ears_fade_mm = 22;
 
 constexpr double full_albedo = 0.75;  // of what looks like that in full light: teeth
+constexpr double most_teeth = 0.95;   // sRGB
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -65,7 +66,8 @@ std::vector<float> drawn_share(const Rig& person) {
 }
 
 FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm,
-                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, int samples) {
+                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, const DrawFaceOptions& options) {
+  const int samples = options.samples;
   check(albedo.width > 0 && albedo.height > 0 &&
             albedo.albedo.size() == static_cast<std::size_t>(albedo.width) * static_cast<std::size_t>(albedo.height),
         "albedo has ", albedo.albedo.size(), " texels, expected ", albedo.width, " x ", albedo.height);
@@ -86,8 +88,11 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   const model::SkinAtlas atlas = model::make_skin_atlas(mesh);
   const std::vector<Vec3f> own = model::vertex_albedo(mesh);
   const render::MouthLight mouth = render::mouth_light(person, points_mm, render::photographs_gain);
-  std::vector<char> mouth_part(mesh.parts.size());
-  for (std::size_t p = 0; p < mesh.parts.size(); ++p) mouth_part[p] = in_mouth(mesh.parts[p].name);
+  std::vector<char> mouth_part(mesh.parts.size()), teeth_part(mesh.parts.size());
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    mouth_part[p] = in_mouth(mesh.parts[p].name);
+    teeth_part[p] = mesh.parts[p].name.find("teeth") != std::string::npos;
+  }
 
   const MouthWhite white = mouth_white(person, albedo, atlas, face, fit.light);
   FaceLayer layer;
@@ -99,6 +104,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
   layer.cover.assign(pixels, 0.0f);
   layer.mouth_colour.assign(pixels, Vec3f{0, 0, 0});
   layer.mouth.assign(pixels, 0.0f);
+  layer.teeth.assign(pixels, 0.0f);
   layer.shift_px.assign(pixels, Vec2f{0, 0});
   const float part_of_pixel = 1.0f / static_cast<float>(samples * samples);
   for (int y = 0; y < face.raster.height_px; ++y)
@@ -110,6 +116,7 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
                                 static_cast<std::size_t>(x / samples);
       layer.cover[pixel] += part_of_pixel;
       const bool is_mouth = !mesh.parts.empty() && mouth_part[face.solid.parts[t]] != 0;
+      const bool is_teeth = is_mouth && teeth_part[face.solid.parts[t]] != 0;
       if (!face.skin[t] && !is_mouth) continue;
       const render::Triangle& triangle = face.solid.triangles[t];
       const Vec3f b = render::barycentrics_at(face.screen, triangle, static_cast<float>(x), static_cast<float>(y));
@@ -143,11 +150,13 @@ FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vecto
         const double arrives =
             std::min(1.0, exposure + white.parallel * parallel + (1.0 - exposure) * mouth.bounced[c]);
         value[c] = white.colour[c] * srgb_of(arrives * colour[c]) / srgb_of(full_albedo);
+        if (is_teeth) value[c] = std::min(most_teeth, options.teeth_gain[c] * value[c]);
       }
       layer.alpha[pixel] += drawn * part_of_pixel;
       for (std::size_t k = 0; k < 2; ++k)
         layer.shift_px[pixel][k] += drawn * part_of_pixel * shift[k] / static_cast<float>(samples);
       if (is_mouth) layer.mouth[pixel] += part_of_pixel;
+      if (is_teeth) layer.teeth[pixel] += part_of_pixel;
       for (std::size_t c = 0; c < 3; ++c) {
         const float shown = drawn * part_of_pixel * static_cast<float>(std::clamp(value[c], 0.0, 1.0));
         layer.colour[pixel][c] += shown;

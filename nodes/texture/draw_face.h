@@ -16,6 +16,7 @@ struct FaceLayer {
   std::vector<float> cover;         // how much of the pixel is face, whether drawn or left
   std::vector<Vec3f> mouth_colour;  // of colour, what lies inside the mouth
   std::vector<float> mouth;         // of alpha, the same
+  std::vector<float> teeth;         // of that, teeth
   std::vector<Vec2f> shift_px;      // how far what is drawn there has moved, times alpha; 0 above the mouth
 };
 
@@ -24,10 +25,14 @@ struct FaceLayer {
 // drawing has no edge. person: its 68 landmarks; without them all is 1.
 std::vector<float> drawn_share(const Rig& person);
 
+struct DrawFaceOptions {
+  int samples = 2;               // per pixel and axis
+  Vec3f teeth_gain = {1, 1, 1};  // of the teeth's sRGB values (measure_teeth.h)
+};
+
 // points_mm: the person's vertices, posed. was_mm: where they are in the picture. The skin takes its colour from the
-// map, everything else from the mesh; the mouth is darker the deeper, as render::mouth_light says. samples: per pixel
-// and axis.
+// map, everything else from the mesh; the mouth is darker the deeper, as render::mouth_light says.
 FaceLayer draw_face(const Rig& person, const AlbedoMap& albedo, const std::vector<Vec3f>& points_mm,
-                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, int samples);
+                    const std::vector<Vec3f>& was_mm, const FaceFit& fit, const DrawFaceOptions& options = {});
 
 }  // namespace face::texture

@@ -15,6 +15,7 @@
 #include "nodes/render/shade.h"
 #include "nodes/texture/continue_background.h"
 #include "nodes/texture/fill_ratio.h"
+#include "nodes/texture/nostril_shade.h"
 #include "nodes/texture/posed_face.h"
 
 namespace face::texture {
@@ -192,7 +193,8 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
   map.albedo.assign(count, Vec3f{0, 0, 0});
   map.weight.assign(count, 0.0f);
   std::vector<Vec3f> estimate(count, Vec3f{0, 0, 0});
-  std::vector<float> texel_rim(count, far_mm);
+  std::vector<float> texel_rim(count, far_mm), texel_shade(count, 1.0f);
+  const std::vector<float> shade = nostril_shade(model);
   const Vec3f& eye = fit.camera.position_mm;
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
@@ -201,7 +203,7 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
       const auto& triangle = atlas.triangles[static_cast<std::size_t>(texels.raster.triangles[texel])];
       const Vec3f b = texels.weights_at(atlas, x, y);
       Vec3f point{}, normal{}, own{};
-      float from_lips = 0, flatness = 0;
+      float from_lips = 0, flatness = 0, dark = 0;
       double parallel = 0, sx = 0, sy = 0, depth = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle[i];
@@ -213,13 +215,16 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
         parallel += static_cast<double>(b[i]) * face.parallel[v];
         from_lips += b[i] * rim[v];
         flatness += b[i] * flat[v];
+        dark += b[i] * shade[v];
         sx += static_cast<double>(b[i]) * face.screen[v].x_px;
         sy += static_cast<double>(b[i]) * face.screen[v].y_px;
         depth += static_cast<double>(b[i]) * face.screen[v].depth_mm;
       }
       for (float& value : own) value = std::max(value, 1e-3f);
       texel_rim[texel] = from_lips;
-      const double trusted = std::clamp((from_lips - rim_mm) / rim_mm, 0.0f, 1.0f);
+      texel_shade[texel] = std::clamp(dark, 0.0f, 1.0f);
+      // Nostrils are some texels wide and a fit some pixels off: what is read there is the skin beside them.
+      const double trusted = std::clamp((from_lips - rim_mm) / rim_mm, 0.0f, 1.0f) * texel_shade[texel];
       estimate[texel] = map.albedo[texel] = own;
       const long px = std::lround(sx), py = std::lround(sy);
       if (px < 0 || py < 0 || px >= rgb.width || py >= rgb.height) continue;
@@ -245,6 +250,10 @@ AlbedoMap extract(const MorphableModel& model, const Image& picture, const FaceF
     }
   distrust_teeth(texel_rim, estimate, map);
   fill_ratio(estimate, sure_weight, map);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float unseen = 1 - std::min(1.0f, map.weight[i] / sure_weight);
+    for (float& value : map.albedo[i]) value *= 1 - unseen * (1 - texel_shade[i]);
+  }
   return map;
 }
 

@@ -5,7 +5,7 @@
 using namespace engine::declare;
 using namespace face::texture;
 
-NODE("texture.extract", &extract, version{2},
+NODE("texture.extract", &extract, version{3},
      doc{"Reads a face's own colours off a picture, its light undone; what is not seen is the model's, tinted alike."},
      input{"model", "The morphable model of the fit"}, input{"picture", "The picture that was fitted"},
      input{"fit", "The fit"},

@@ -18,10 +18,10 @@ struct NeutraliseOptions {
 // A picture shows light times albedo, and a fit hardly tells a darker skin from a weaker light: of the difference
 // between the person's brightness and the mean person's, light_share is taken to be the light's (0 = none, the map's
 // colours as they are). Colours, not brightness, go towards the fitted components' the more, the less of them the
-// picture tells: of a grey or very dark one the map's are what is read wrong, many times over. Above the brows, at
-// temples and ears, at the sides of cheeks without a beard and below the chin hair and collars may hide the skin:
-// where the map differs from the mean person's skin in the tone of the cheeks, by more than hair_contrast of the
-// logarithm, that skin takes over (0 = nowhere). Scalp, ears and neck (parts named "head") take the tone of the cheeks.
+// picture tells: of a grey or very dark one the map's are what is read wrong, many times over. What hides the skin
+// gives way to what is beside it or on the other side (uncover_skin.h), from hair_contrast of the logarithm on (0 =
+// nothing does, and both sides stay as they are). Scalp, ears and neck (parts named "head") take the tone of the cheeks
+// and go on from the face's edge.
 Rig neutralise(const MorphableModel& model, const Rig& rig, const FaceFit& fit, const AlbedoMap& albedo,
                const NeutraliseOptions& options = {});
 

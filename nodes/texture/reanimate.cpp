@@ -11,12 +11,13 @@
 #include "nodes/texture/draw_face.h"
 #include "nodes/texture/face_mask.h"
 #include "nodes/texture/lay_over.h"
+#include "nodes/texture/measure_teeth.h"
 
 namespace face::texture {
 
 Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap& albedo, const FaceFit& fit,
                 const Image& frame, const Image& background, const engine::Window<Weights>& weights,
-                const ReanimateOptions& options) {
+                const Matrix* teeth, const ReanimateOptions& options) {
   check(options.moments >= 1, "moments is ", options.moments, ", expected at least 1");
   if (!fit.converged) return frame;
   const Weights& now = weights.centre();
@@ -30,8 +31,8 @@ Image reanimate(const MorphableModel& model, const Rig& person, const AlbedoMap&
     between.values.resize(std::max(now.values.size(), next.values.size()), 0.0f);
     for (std::size_t k = 0; k < next.values.size(); ++k) between.values[k] += t * (next.values[k] - between.values[k]);
     for (std::size_t k = next.values.size(); k < between.values.size(); ++k) between.values[k] *= 1 - t;
-    const FaceLayer layer =
-        draw_face(person, albedo, pose_points(person, between), was, fit, static_cast<int>(options.samples));
+    const FaceLayer layer = draw_face(person, albedo, pose_points(person, between), was, fit,
+                                      {.samples = static_cast<int>(options.samples), .teeth_gain = gain_of(teeth)});
     const float share = 1.0f / static_cast<float>(options.moments);
     if (m == 0) {
       sum = layer;

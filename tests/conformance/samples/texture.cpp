@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "nodes/types/matrix.h"
 #include "nodes/types/morphable_model.h"
 #include "nodes/types/rig.h"
 #include "tests/conformance/samples/shared.h"
@@ -17,6 +20,11 @@ const Maker sized_model =
       for (face::Vec3f& point : model.mean.points_mm) point[0] *= 1 + 0.1f * static_cast<float>(variant);
     });
 
+const Maker gains = made([](int variant) {
+  return face::Matrix{1, 3, {1.1, 1.2, 1.3 + 0.1 * static_cast<double>(variant)}};
+});
+const std::string no_teeth = "of 64 x 48 pixels teeth are less than one (MeasureTeeth tests)";
+
 const Registered texture({
     .inputs =
         {
@@ -28,8 +36,17 @@ const Registered texture({
             {"texture.reanimate.weights", opening_mouth},
             {"texture.render_into.person", small_person},
             {"texture.render_into.weights", opening_mouth},
+            {"texture.reanimate.teeth", gains},
+            {"texture.render_into.teeth", gains},
         },
     .params = {{"texture.extract.size_px", whole(64)}},
+    .shown_elsewhere = {{"texture.reanimate.teeth", no_teeth},
+                        {"texture.render_into.teeth", no_teeth},
+                        {"texture.measure_teeth.model", no_teeth},
+                        {"texture.measure_teeth.person", no_teeth},
+                        {"texture.measure_teeth.albedo", no_teeth},
+                        {"texture.measure_teeth.fit", no_teeth},
+                        {"texture.measure_teeth.picture", no_teeth}},
 });
 
 }  // namespace

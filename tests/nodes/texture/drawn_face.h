@@ -66,7 +66,7 @@ inline Image drawn(const FaceFit& fit, const AlbedoMap& map, const Weights& weig
   Rig person = head();
   person.landmarks68.clear();  // drawn whole
   const std::vector<Vec3f> points = pose_points(person, weights);
-  return face::texture::lay_over(face::texture::draw_face(person, map, points, points, fit, 3), paper, paper,
+  return face::texture::lay_over(face::texture::draw_face(person, map, points, points, fit, {.samples = 3}), paper, paper,
                                  face::texture::face_mask(head_model(), fit), 1);
 }
 

@@ -156,7 +156,7 @@ TEST(Extract, ReadsNoShadowInFolds) {
   person.landmarks68.clear();
   const Image paper = test::blank(320, 320, 90);
   const Image picture =
-      lay_over(draw_face(person, map, points, points, fit, 3), paper, paper, face_mask(model, fit), 1);
+      lay_over(draw_face(person, map, points, points, fit, {.samples = 3}), paper, paper, face_mask(model, fit), 1);
   const AlbedoMap found = extract(model, picture, fit, {.size_px = 512});
   std::size_t folds = 0, dark = 0;
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t) {

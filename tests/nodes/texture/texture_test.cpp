@@ -248,7 +248,7 @@ TEST(Reanimate, BlursTheMouthByItsMotion) {
   const Image moving = reanimate(test::head_model(), person, map, fit, picture, picture, window);
   const Image sharp = reanimate(test::head_model(), person, map, fit, picture, picture, still);
   EXPECT_NE(moving.pixels, sharp.pixels);
-  const Image one = reanimate(test::head_model(), person, map, fit, picture, picture, window, {.moments = 1});
+  const Image one = reanimate(test::head_model(), person, map, fit, picture, picture, window, nullptr, {.moments = 1});
   EXPECT_EQ(one.pixels, sharp.pixels);
 }
 
