@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/commands.h"
@@ -26,7 +27,6 @@ namespace fs = std::filesystem;
 struct Side {
   engine::Graph graph;
   std::vector<engine::StoredNode> stored;
-  std::size_t failed = 0;
 };
 
 std::string source_text(const engine::Graph& graph, const engine::Source& source) {
@@ -216,6 +216,63 @@ bool is_graph(const std::string& path) {
   return text.find("\"facegraph\"") != std::string::npos || text.find("\"extends\"") != std::string::npos;
 }
 
+// Runs one side. False where it was interrupted.
+bool run_side(const char* name, engine::Plugins& plugins, engine::Store& store, const CompareArguments& arguments,
+              ProgressPrinter& progress, std::vector<std::string>& failures, Side& side) {
+  engine::RunOptions options;
+  options.threads = arguments.threads;
+  options.observer = [&](const engine::RunEvent& event) { progress.show(event); };
+  stop_on_interrupt(options);
+  const engine::RunResult result = engine::run_graph(side.graph, plugins, store, options);
+  progress.finish();
+  if (interrupt_requested()) {
+    std::fprintf(stderr, "interrupted: finished tasks are kept\n");
+    return false;
+  }
+  for (const std::string& failure : result.failures) failures.push_back(name + (": " + failure));
+  side.stored = engine::inspect_graph(side.graph, plugins, store);
+  return true;
+}
+
+// A node that both sides have, by its places in them. Nothing where they agree.
+std::optional<Entry> compare_node(const Side& a, std::size_t n, const Side& b, std::size_t m,
+                                  Differences& differences) {
+  const engine::GraphNode &x = a.graph.nodes[n], &y = b.graph.nodes[m];
+  const Json changes = changes_of(a.graph, x, b.graph, y);
+  Json results = Json::object();
+  std::vector<std::pair<std::string, std::string>> shown;
+  for (std::size_t o = 0; o < x.info->outputs.size(); ++o) {
+    const std::string& name = x.info->outputs[o].name;
+    const int other = x.info->structural == engine::Structural::none ? y.info->find_output(name) : static_cast<int>(o);
+    if (other < 0 || static_cast<std::size_t>(other) >= y.output_type.size()) continue;
+    const auto p = static_cast<std::size_t>(other);
+    if (x.output_type[o] != y.output_type[p]) {
+      results[name] = {{"a", x.output_type[o]}, {"b", y.output_type[p]}, {"values", 1}};
+      continue;
+    }
+    Found found = differences.outputs(x.output_type[o], a.stored[n].outputs[o], b.stored[m].outputs[p]);
+    if (!found.json) continue;
+    results[name] = *found.json;
+    shown.emplace_back(name, std::move(found.html));
+  }
+  if (changes.empty() && results.empty()) return std::nullopt;
+  Json entry = {{"node", x.id}};
+  if (!changes.empty()) entry["changes"] = changes;
+  if (!results.empty()) entry["results"] = results;
+  return Entry{std::move(entry), std::move(shown)};
+}
+
+// The place of a node that is needed, by its id.
+std::optional<std::size_t> needed_node(const engine::Graph& graph, const std::string& id) {
+  const int n = graph.find_node(id);
+  if (n < 0 || !graph.nodes[static_cast<std::size_t>(n)].needed) return std::nullopt;
+  return static_cast<std::size_t>(n);
+}
+
+Entry lone_node(const engine::GraphNode& node, const char* side) {
+  return {{{"node", node.id}, {"only_in", side}, {"kind", node.info->name}}, {}};
+}
+
 }  // namespace
 
 int compare(const Common& common, const CompareArguments& arguments) {
@@ -226,79 +283,37 @@ int compare(const Common& common, const CompareArguments& arguments) {
     return compare_outputs(common, arguments);
   const auto plugins = open_plugins(common);
   const auto store = open_store(common);
-  Side sides[2];
-  for (int s = 0; s < 2; ++s) {
-    GraphArguments graph{s == 0 || arguments.b.empty() ? arguments.a : arguments.b, arguments.sets};
-    const auto& own = s == 0 ? arguments.sets_a : arguments.sets_b;
-    graph.sets.insert(graph.sets.end(), own.begin(), own.end());
-    if (!read_graph(graph, *plugins, sides[s].graph)) return invalid;
-  }
+  Side a, b;
+  GraphArguments graph_a{arguments.a, arguments.sets};
+  GraphArguments graph_b{arguments.b.empty() ? arguments.a : arguments.b, arguments.sets};
+  graph_a.sets.insert(graph_a.sets.end(), arguments.sets_a.begin(), arguments.sets_a.end());
+  graph_b.sets.insert(graph_b.sets.end(), arguments.sets_b.begin(), arguments.sets_b.end());
+  if (!read_graph(graph_a, *plugins, a.graph) || !read_graph(graph_b, *plugins, b.graph)) return invalid;
   if (arguments.b.empty() && arguments.sets_a.empty() && arguments.sets_b.empty()) {
     std::fprintf(stderr, "command line: there is nothing to compare: give a second graph, or --set-b NAME=VALUE\n");
     return invalid;
   }
   ProgressPrinter progress(arguments.quiet);
   std::vector<std::string> failures;
-  for (int s = 0; s < 2; ++s) {
-    engine::RunOptions options;
-    options.threads = arguments.threads;
-    options.observer = [&](const engine::RunEvent& event) { progress.show(event); };
-    stop_on_interrupt(options);
-    const engine::RunResult result = engine::run_graph(sides[s].graph, *plugins, *store, options);
-    progress.finish();
-    if (interrupt_requested()) {
-      std::fprintf(stderr, "interrupted: finished tasks are kept\n");
-      return interrupted;
-    }
-    for (const std::string& failure : result.failures) failures.push_back((s == 0 ? "A: " : "B: ") + failure);
-    sides[s].stored = engine::inspect_graph(sides[s].graph, *plugins, *store);
-  }
+  if (!run_side("A", *plugins, *store, arguments, progress, failures, a) ||
+      !run_side("B", *plugins, *store, arguments, progress, failures, b))
+    return interrupted;
 
   Differences differences(*plugins, *store, plugin_folders(common), arguments.all);
   std::vector<Entry> entries;
   std::size_t equal = 0;
-  const engine::Graph &a = sides[0].graph, &b = sides[1].graph;
-  for (std::size_t n = 0; n < a.nodes.size(); ++n) {
-    const engine::GraphNode& x = a.nodes[n];
-    if (!x.needed) continue;
-    const int m = b.find_node(x.id);
-    if (m < 0 || !b.nodes[static_cast<std::size_t>(m)].needed) {
-      entries.push_back({{{"node", x.id}, {"only_in", "A"}, {"kind", x.info->name}}, {}});
-      continue;
-    }
-    const engine::GraphNode& y = b.nodes[static_cast<std::size_t>(m)];
-    const Json changes = changes_of(a, x, b, y);
-    Json results = Json::object();
-    std::vector<std::pair<std::string, std::string>> shown;
-    for (std::size_t o = 0; o < x.info->outputs.size(); ++o) {
-      const std::string& name = x.info->outputs[o].name;
-      const int other =
-          x.info->structural == engine::Structural::none ? y.info->find_output(name) : static_cast<int>(o);
-      if (other < 0 || static_cast<std::size_t>(other) >= y.output_type.size()) continue;
-      const auto p = static_cast<std::size_t>(other);
-      if (x.output_type[o] != y.output_type[p]) {
-        results[name] = {{"a", x.output_type[o]}, {"b", y.output_type[p]}, {"values", 1}};
-        continue;
-      }
-      Found found = differences.outputs(x.output_type[o], sides[0].stored[n].outputs[o],
-                                        sides[1].stored[static_cast<std::size_t>(m)].outputs[p]);
-      if (!found.json) continue;
-      results[name] = *found.json;
-      shown.emplace_back(name, std::move(found.html));
-    }
-    if (changes.empty() && results.empty()) {
+  for (std::size_t n = 0; n < a.graph.nodes.size(); ++n) {
+    const engine::GraphNode& node = a.graph.nodes[n];
+    if (!node.needed) continue;
+    if (const auto m = needed_node(b.graph, node.id); !m)
+      entries.push_back(lone_node(node, "A"));
+    else if (std::optional<Entry> entry = compare_node(a, n, b, *m, differences))
+      entries.push_back(std::move(*entry));
+    else
       ++equal;
-      continue;
-    }
-    Json entry = {{"node", x.id}};
-    if (!changes.empty()) entry["changes"] = changes;
-    if (!results.empty()) entry["results"] = results;
-    entries.push_back({std::move(entry), std::move(shown)});
   }
-  for (const engine::GraphNode& y : b.nodes)
-    if (const int n = a.find_node(y.id); y.needed && (n < 0 || !a.nodes[static_cast<std::size_t>(n)].needed))
-      entries.push_back({{{"node", y.id}, {"only_in", "B"}, {"kind", y.info->name}}, {}});
-
+  for (const engine::GraphNode& node : b.graph.nodes)
+    if (node.needed && !needed_node(a.graph, node.id)) entries.push_back(lone_node(node, "B"));
   return finish(arguments, entries, equal, "node", failures);
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,10 +11,10 @@
 #include <optional>
 #include <string_view>
 
-#include "cli/commands.h"
 #include "cli/curves.h"
 #include "cli/experiments.h"
 #include "cli/interrupt.h"
+#include "cli/number_difference.h"
 #include "engine/describe/media.h"
 #include "engine/describe/picture.h"
 #include "engine/run/run.h"
@@ -29,36 +28,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_bytes = 20'000'000;         // of values that are compared number by number
 constexpr std::size_t most_known_bytes = 400'000'000;  // of values that a difference compares
 constexpr std::size_t most_pairs = 500;                // of values of one output that are
-
-// How two JSON forms differ, number by number.
-struct Numbers {
-  std::size_t numbers = 0, others = 0;
-  double largest = 0, squares = 0;
-  std::string where;  // of the largest
-  bool form = false;  // they are not made alike: lengths or keys differ
-
-  void visit(const Json& x, const Json& y, const std::string& at) {
-    if (x.is_number() && y.is_number()) {
-      ++numbers;
-      const double d = std::abs(x.get<double>() - y.get<double>());
-      squares += d * d;
-      if (d > largest) largest = d, where = at;
-    } else if (x.is_object() && y.is_object()) {
-      form |= x.size() != y.size();
-      for (const auto& [key, value] : x.items())
-        if (const auto other = y.find(key); other != y.end())
-          visit(value, *other, at + "/" + key);
-        else
-          form = true;
-    } else if (x.is_array() && y.is_array()) {
-      form |= x.size() != y.size();
-      for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) visit(x[i], y[i], at + "/" + std::to_string(i));
-    } else if (x != y) {
-      ++others;
-      form |= x.type() != y.type();
-    }
-  }
-};
 
 Json shown_json(const engine::Value& value) {
   return Json::parse(value.type().show(value.data().get()), nullptr, false);
@@ -141,7 +110,7 @@ class Differences::Pairs {
   }
 
   void add(const std::string& element, const Json& a, const Json& b) {
-    Numbers here;
+    NumberDifference here;
     here.visit(a, b, "");
     ++compared_;
     squares_ += here.squares;
@@ -345,61 +314,6 @@ Found Differences::files(const std::string& a, const std::string& b, const std::
   }
   pairs.tell(json);
   return {std::make_shared<Json>(std::move(json)), html + pairs.html()};
-}
-
-namespace {
-
-// "; most at [67]: largest 0.72, rms 0.02"
-std::string measures_of(const Json& d) {
-  if (!d.contains("measures")) return {};
-  std::string text = d.contains("most_at") ? "; most at [" + d["most_at"].get<std::string>() + "]: " : "; ";
-  constexpr std::size_t most_told = 5;  // the page and --json have all
-  std::size_t told = 0;
-  for (const auto& [name, value] : d["measures"].items()) {
-    if (told++ == most_told) {
-      text += ", ...";
-      break;
-    }
-    text +=
-        (told == 1 ? "" : ", ") + name + " " + (value.is_number() ? short_number(value.get<double>()) : value.dump());
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string line_of(const Json& d) {
-  const auto count = [&](const char* key) { return d.value(key, std::size_t{0}); };
-  std::string text;
-  if (d.contains("a"))
-    text += shortened(d["a"].dump()) + " -> " + shortened(d["b"].dump());
-  else if (d.contains("values") && (count("values") != 1 || count("differing") != 1))
-    text += std::to_string(count("differing")) + " of " + std::to_string(count("values")) + " values differ";
-  else
-    text += "differs";
-  if (count("only_in_a") > 0) text += ", " + std::to_string(count("only_in_a")) + " only in A";
-  if (count("only_in_b") > 0) text += ", " + std::to_string(count("only_in_b")) + " only in B";
-  text += measures_of(d);
-  if (d.contains("parts"))
-    for (const auto& [what, part] : d["parts"].items())
-      text += "; " + what +
-              (part.contains("not_compared") ? " not compared: " + part["not_compared"].get<std::string>()
-                                             : measures_of(part));
-  if (d.contains("largest_difference")) {
-    const std::string at = d["largest_at"];
-    text += "; by at most " + short_number(d["largest_difference"]) + (at.empty() ? "" : " at " + at);
-    if (!d.contains("a")) text += ", rms " + short_number(d["rms_difference"]);
-  }
-  if (d.contains("form_differs")) text += "; they are not made alike";
-  if (d.contains("lines_differing"))
-    text += "; " + std::to_string(count("lines_differing")) + " of " + std::to_string(count("lines")) +
-            " lines, the first is line " + std::to_string(count("first_line"));
-  if (d.contains("bytes_a") && !d.contains("measures") && !d.contains("parts") && !d.contains("largest_difference") &&
-      !d.contains("lines_differing"))
-    text +=
-        "; " + show_size(d["bytes_a"].get<std::uint64_t>()) + " and " + show_size(d["bytes_b"].get<std::uint64_t>());
-  if (d.contains("not_compared")) text += "; not compared: " + d["not_compared"].get<std::string>();
-  return text;
 }
 
 }  // namespace cli
