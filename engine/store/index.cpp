@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/store/index.h"
 
-#include <sqlite3.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <memory>
 #include <unordered_map>
 
 #include "engine/base/problem.h"
 #include "engine/store/codec.h"
 #include "engine/store/posix.h"
+#include "engine/store/sqlite.h"
 
 namespace engine::store {
 namespace {
@@ -79,172 +76,8 @@ constexpr const char* kSql[kStatements] = {
 
 }  // namespace
 
-class Index::Connection {
- public:
-  Connection(const std::string& folder, const std::string& path) : folder_(folder), path_(path) {
-    const int code = sqlite3_open_v2(path.c_str(), &handle,
-                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
-    if (code != SQLITE_OK) {
-      try {
-        fail();
-      } catch (...) {
-        sqlite3_close(handle);
-        throw;
-      }
-    }
-    sqlite3_busy_timeout(handle, 60'000);
-  }
-  ~Connection() {
-    for (sqlite3_stmt* const statement : statements_) sqlite3_finalize(statement);
-    sqlite3_close(handle);
-  }
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
-
-  void run(const char* sql) {
-    if (sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
-  }
-  std::int64_t number(const char* sql) {
-    sqlite3_stmt* statement = nullptr;
-    if (sqlite3_prepare_v2(handle, sql, -1, &statement, nullptr) != SQLITE_OK) fail();
-    const bool row = sqlite3_step(statement) == SQLITE_ROW;
-    const std::int64_t value = row ? sqlite3_column_int64(statement, 0) : 0;
-    if (sqlite3_finalize(statement) != SQLITE_OK) fail();
-    return value;
-  }
-  sqlite3_stmt* statement(Statement which) {
-    sqlite3_stmt*& prepared = statements_[which];
-    if (prepared == nullptr &&
-        sqlite3_prepare_v3(handle, kSql[which], -1, SQLITE_PREPARE_PERSISTENT, &prepared, nullptr) != SQLITE_OK)
-      fail();
-    return prepared;
-  }
-
-  [[noreturn]] void fail() const {
-    const int code = handle == nullptr ? SQLITE_NOMEM : sqlite3_errcode(handle);
-    const int system = handle == nullptr ? 0 : sqlite3_system_errno(handle);
-    switch (code & 0xff) {
-      case SQLITE_FULL:
-        fail_store(folder_, path_, ENOSPC);
-      case SQLITE_READONLY:
-        fail_store(folder_, path_, EACCES);
-      case SQLITE_CANTOPEN:
-        fail_store(folder_, path_, system != 0 ? system : EACCES);
-      case SQLITE_IOERR:
-        fail_store(folder_, path_, system != 0 ? system : EIO);
-      case SQLITE_CORRUPT:
-      case SQLITE_NOTADB:
-        throw EngineError("the index of the store in " + folder_ + " is damaged (" + sqlite3_errmsg(handle) + ": " +
-                          path_ + "): delete that folder, or choose another with --store");
-      case SQLITE_BUSY:
-        throw EngineError("the index of the store in " + folder_ + " stays locked by another process (" + path_ +
-                          "): end that process, or choose another folder with --store");
-      default:
-        throw EngineError("the index of the store in " + folder_ + " cannot be used (" +
-                          (handle == nullptr ? "out of memory" : sqlite3_errmsg(handle)) + ": " + path_ +
-                          "): check that disk, or choose another folder with --store");
-    }
-  }
-
-  sqlite3* handle = nullptr;
-
- private:
-  const std::string folder_, path_;
-  sqlite3_stmt* statements_[kStatements] = {};
-};
-
-// One use of a prepared statement. Bound bytes are not copied: they must live as long as the query.
-class Index::Query {
- public:
-  Query(Connection& connection, Statement which) : connection_(connection), statement_(connection.statement(which)) {}
-  ~Query() { sqlite3_reset(statement_); }
-  Query(const Query&) = delete;
-  Query& operator=(const Query&) = delete;
-
-  Query& bind(const Digest& digest) {
-    sqlite3_bind_blob(statement_, ++bound_, digest.bytes.data(), static_cast<int>(digest.bytes.size()), SQLITE_STATIC);
-    return *this;
-  }
-  Query& bind(const Bytes& bytes) {
-    // A null pointer would bind NULL.
-    sqlite3_bind_blob64(statement_, ++bound_, bytes.empty() ? static_cast<const void*>("") : bytes.data(), bytes.size(),
-                        SQLITE_STATIC);
-    return *this;
-  }
-  Query& bind(const std::string& text) {
-    sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
-    return *this;
-  }
-  Query& bind(std::int64_t number) {
-    sqlite3_bind_int64(statement_, ++bound_, number);
-    return *this;
-  }
-  Query& bind(std::uint64_t number) { return bind(static_cast<std::int64_t>(number)); }
-
-  bool row() {
-    const int code = sqlite3_step(statement_);
-    if (code == SQLITE_ROW) return true;
-    if (code != SQLITE_DONE) connection_.fail();
-    return false;
-  }
-  void run() {
-    row();
-    sqlite3_reset(statement_);
-    bound_ = 0;
-  }
-
-  std::span<const std::uint8_t> blob(int column) const {
-    const void* const data = sqlite3_column_blob(statement_, column);
-    return {static_cast<const std::uint8_t*>(data), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
-  }
-  Bytes bytes(int column) const {
-    const auto found = blob(column);
-    return {found.begin(), found.end()};
-  }
-  Digest digest(int column) const {
-    Digest value;
-    const auto found = blob(column);
-    if (found.size() == value.bytes.size()) std::memcpy(value.bytes.data(), found.data(), found.size());
-    return value;
-  }
-  std::string text(int column) const {
-    const auto found = blob(column);
-    return {found.begin(), found.end()};
-  }
-  std::int64_t number(int column) const { return sqlite3_column_int64(statement_, column); }
-
- private:
-  Connection& connection_;
-  sqlite3_stmt* const statement_;
-  int bound_ = 0;
-};
-
-namespace {
-
-// A write transaction: rolled back unless committed.
-template <class Connection>
-class Transaction {
- public:
-  explicit Transaction(Connection& connection) : connection_(connection) { connection_.run("BEGIN IMMEDIATE"); }
-  ~Transaction() {
-    if (open_) sqlite3_exec(connection_.handle, "ROLLBACK", nullptr, nullptr, nullptr);
-  }
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
-  void commit() {
-    connection_.run("COMMIT");
-    open_ = false;
-  }
-
- private:
-  Connection& connection_;
-  bool open_ = true;
-};
-
-}  // namespace
-
 Index::Index(const std::string& folder) : folder_(folder), path_(folder + "/index.sqlite") {
-  reader_ = std::make_unique<Connection>(folder_, path_);
+  reader_ = std::make_unique<Connection>(folder_, path_, kSql);
   reader_->run("PRAGMA synchronous = NORMAL");
   if (reader_->number("SELECT count(*) FROM sqlite_master WHERE name = 'meta'") == 0) {
     reader_->run("PRAGMA journal_mode = WAL");
@@ -263,9 +96,9 @@ Index::Index(const std::string& folder) : folder_(folder), path_(folder + "/inde
 
 Index::~Index() = default;
 
-Index::Connection& Index::writer() {
+Connection& Index::writer() {
   if (writer_ == nullptr) {
-    writer_ = std::make_unique<Connection>(folder_, path_);
+    writer_ = std::make_unique<Connection>(folder_, path_, kSql);
     // A power failure may cost the last batches, never the index: the write-ahead log is synced at checkpoints.
     writer_->run("PRAGMA synchronous = NORMAL");
     writer_->run("PRAGMA wal_autocheckpoint = 8000");
@@ -372,7 +205,7 @@ void Index::fold(const Entries& entries, const std::unordered_set<Digest>& used)
     Query records(connection, kPutRecord);
     for (const auto* entry : by_key(entries.records)) {
       details.bind(entry->second->details).run();
-      const std::int64_t id = sqlite3_last_insert_rowid(connection.handle);
+      const std::int64_t id = connection.last_row_id();
       records.bind(entry->first).bind(entry->second->outputs).bind(id).run();
     }
     Query values(connection, kPutValue);

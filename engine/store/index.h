@@ -12,10 +12,9 @@
 #include "engine/store/journal.h"
 #include "engine/store/store.h"
 
-struct sqlite3;
-struct sqlite3_stmt;
-
 namespace engine::store {
+
+class Connection;
 
 // The action index: an SQLite database in WAL mode. Reads go through one connection that keeps its snapshot until
 // renew(); writes through another one, in batches. Throws EngineError.
@@ -66,8 +65,6 @@ class Index {
   std::uint64_t record_count();
 
  private:
-  class Connection;
-  class Query;
   void begin_reading();
   Connection& writer();
 
