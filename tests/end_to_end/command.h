@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,22 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+// The row of a table of numbers whose first cell is `name`, by column; nothing where there is none.
+inline std::map<std::string, double> row_of(const std::string& csv, const std::string& name) {
+  const std::vector<std::string> lines = lines_of(csv);
+  std::map<std::string, double> values;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    std::istringstream columns(lines[0]), cells(lines[i]);
+    std::string column, cell;
+    std::getline(columns, column, ',');
+    std::getline(cells, cell, ',');
+    if (cell != name) continue;
+    while (std::getline(columns, column, ','))
+      if (std::getline(cells, cell, ',') && !cell.empty()) values[column] = std::stod(cell);
+  }
+  return values;
 }
 
 struct Ended {

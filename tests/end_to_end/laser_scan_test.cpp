@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/command.h"
@@ -22,6 +23,12 @@ TEST_F(LaserScan, AModelIsBuiltFromScansWithoutAHand) {
   ASSERT_EQ(ended.code, 0) << ended.output;
   for (const char* name : {"mean.png", "scanned.png", "spaces.csv", "expression_errors.csv", "person_errors.csv"})
     EXPECT_TRUE(fs::exists(fs::path(path("out")) / name)) << name;
+  // A third of the scans' points of build.json, and six faces in place of 37: 0.97, 0.37 and 1.12 mm.
+  EXPECT_LT(test::row_of(read("out/expression_errors.csv"), "mean.lips").at("median_mm"), 1.3);
+  EXPECT_LT(test::row_of(read("out/expression_errors.csv"), "mean.all").at("median_mm"), 0.5);
+  EXPECT_LT(test::row_of(read("out/person_errors.csv"), "mean.all").at("median_mm"), 1.5);
+  const std::map<std::string, double> space = test::row_of(read("out/spaces.csv"), "expression");
+  EXPECT_NEAR(space.at("angle_deg"), test::row_of(read("out/planted_spaces.csv"), "expression").at("angle_deg"), 5);
 }
 
 // The tiny graph's scans as files, and the points that were marked on two of them, then scans.json as for scans of

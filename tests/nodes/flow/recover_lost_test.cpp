@@ -128,5 +128,6 @@ TEST(RecoverLost, AcceptsAPictureTooSmallForALevelBelow) {
   FeatureMap small{20, 20, {"grey"}, std::vector<float>(400, 20), std::vector<std::uint8_t>(400, 1)}, other = small;
   for (std::size_t i = 0; i < 200; ++i) other.values[i] = 240;
   const FlowField flow = scan_flow(small, other, nullptr, with_mismatch(1));
+  ASSERT_EQ(flow.displacement_px.size(), 400u);
   for (const Vec2f& d : flow.displacement_px) EXPECT_TRUE(std::isfinite(d[0]) && std::isfinite(d[1]));
 }

@@ -56,7 +56,9 @@ TEST(AddIdle, ClosesTheLidsAndMovesNothingByMoreThanAQuarterPerFrame) {
 }
 
 TEST(AddIdle, LeavesTheMouthAlone) {
-  for (const Weights& frame : idle(600, {}, 0.25f))
+  const std::vector<Weights> frames = idle(600, {}, 0.25f);
+  ASSERT_EQ(frames.size(), 600u);
+  for (const Weights& frame : frames)
     for (std::size_t s = 0; s < arkit_count; ++s) {
       const bool speaks = arkit_names[s].starts_with("mouth") || arkit_names[s].starts_with("jaw");
       if (speaks) {
@@ -72,6 +74,8 @@ TEST(AddIdle, IsTheSameForTheSameSeedAndAnotherForAnother) {
 
 TEST(AddIdle, ALongerTakeBeginsTheSame) {
   const std::vector<Weights> shorter = idle(300), longer = idle(900);
+  ASSERT_EQ(shorter.size(), 300u);
+  ASSERT_EQ(longer.size(), 900u);
   for (std::size_t i = 0; i < shorter.size(); ++i) EXPECT_EQ(shorter[i].values, longer[i].values);
 }
 
