@@ -171,7 +171,8 @@ std::vector<FaceFit> fit_pictures(const MorphableModel& model, const std::vector
 }
 
 engine::Seq<FaceFit> fit_images(const MorphableModel& model, const engine::Seq<Image>& pictures,
-                                const engine::Seq<Landmarks>& landmarks, const FitImageOptions& options) {
+                                const engine::Seq<Landmarks>& landmarks, const FitImageOptions& options,
+                                engine::Progress& progress) {
   std::vector<std::shared_ptr<const Image>> images;
   std::vector<std::shared_ptr<const Landmarks>> points;
   std::vector<const Image*> image_list;
@@ -186,7 +187,10 @@ engine::Seq<FaceFit> fit_images(const MorphableModel& model, const engine::Seq<I
     points.push_back(landmarks.at(i));
     point_list.push_back(points.back().get());
   }
-  return {fit_pictures(model, image_list, point_list, options), ids};
+  std::vector<FaceFit> fits = fit_pictures(model, image_list, point_list, options);
+  for (std::size_t m = 0; m < fits.size(); ++m)
+    if (!fits[m].converged) progress.warn("the fit of picture " + ids[m] + " is not to be used: " + fits[m].problem);
+  return {std::move(fits), ids};
 }
 
 }  // namespace face::model

@@ -210,12 +210,14 @@ TEST(FitImage, DoesNotSeeAFaceInADarkPicture) {
   EXPECT_EQ(fit.problem, "100 % of the face is all but black: use a picture with more light");
 }
 
+struct Heard : engine::Progress {
+  void warn(const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
 // Five mouths were drawn into a picture by such a fit, and nothing was said.
 TEST(FitImage, WarnsOfAFitThatIsNotToBeUsed) {
-  struct Heard : engine::Progress {
-    void warn(const std::string& text) override { texts.push_back(text); }
-    std::vector<std::string> texts;
-  } heard;
+  Heard heard;
   const Shot shot = shoot(35, 0);
   fit_image(test::head_model(), test::blank(480, 480, 2), shot.points, {.steps = 3}, heard);
   EXPECT_EQ(heard.texts,
@@ -259,14 +261,17 @@ TEST(FitImages, SaysThatPointsOfAnotherPictureSpoilAll) {
   EXPECT_FALSE(fits[1].problem.empty());
 }
 
-TEST(FitImages, KeepsTheIdsOfThePictures) {
+TEST(FitImages, KeepsTheIdsOfThePicturesAndWarnsOfEachThatIsNotToBeUsed) {
   const Shot shot = shoot(35, 0);
   Landmarks few = shot.points;
   few.points.resize(3);
+  Heard heard;
   const engine::Seq<FaceFit> fits = fit_images(test::head_model(), engine::Seq<Image>({shot.picture}, {"front"}),
-                                               engine::Seq<Landmarks>({few}, {"front"}), {.steps = 1});
+                                               engine::Seq<Landmarks>({few}, {"front"}), {.steps = 1}, heard);
   EXPECT_EQ(fits.id(0), "front");
   EXPECT_FALSE(fits.at(0)->converged);
+  EXPECT_EQ(heard.texts,
+            std::vector<std::string>{"the fit of picture front is not to be used: " + fits.at(0)->problem});
 }
 
 TEST(FitImages, RejectsUnequalCounts) {
