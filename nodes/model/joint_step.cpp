@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "nodes/model/fit_landmarks.h"
@@ -40,8 +41,8 @@ struct Normal {
     a(column, column) += 1 / (sigma * sigma);
     b[column] -= value / (sigma * sigma);
   }
-  // That the expression of a picture, whose columns begin at first, changes row times itself by -error.
-  void hold(Eigen::Index first, const std::vector<double>& row, double error, double weight) {
+  // That what is changed by the columns from first on comes to error less, which each changes by so much as row says.
+  void hold(Eigen::Index first, std::span<const double> row, double error, double weight) {
     const Eigen::Map<const Vector> g(row.data(), at(row.size()));
     a.block(first, first, g.size(), g.size()) += weight * g * g.transpose();
     b.segment(first, g.size()) -= weight * error * g;
@@ -129,11 +130,12 @@ void add_pose_priors(const Picture& picture, const OwnColumns& own, Normal& norm
 // And lips that do not run into each other, nor part without a reason.
 void add_expression_priors(const Joint& joint, std::size_t index, const OwnColumns& own, Normal& normal) {
   const Picture& picture = joint.pictures[index];
-  const std::vector<double>& expression = picture.state.expression;
+  const std::span<const double> expression(picture.state.expression.data(), joint.basis.expressions);
   for (std::size_t k = 0; k < expression.size(); ++k)
     normal.hold(own.expression + at(k), expression[k], joint.model->expression.sigmas[k] / std::sqrt(picture.doubt));
   const bool held_open = picture.held_gap_mm > 0;
-  for (const std::vector<double>& row : joint.gaps) {
+  for (const std::vector<double>& of_all : joint.gaps) {
+    const std::span<const double> row(of_all.data(), expression.size());  // the model may have more than are fitted
     double gap_mm = 0;
     for (std::size_t k = 0; k < expression.size(); ++k) gap_mm += row[k] * expression[k];
     if (held_open && gap_mm >= 0) continue;

@@ -139,6 +139,22 @@ TEST(FitImage, DoesNotTakeAHighlightOnARidgeForRelief) {
   }
 }
 
+// What the model knows of lips beyond the components that are fitted was written over the light, and past the end.
+TEST(FitImage, FitsAFewExpressionsAsIfTheModelHadNoOthers) {
+  const Shot shot = shoot(31, 10);
+  MorphableModel small = test::head_model();
+  ASSERT_GT(small.expression.size(), 2u);
+  small.expression.names.resize(2);
+  small.expression.sigmas.resize(2);
+  small.expression.modes.resize(2 * small.mean.points_mm.size());
+  const FaceFit a = fit_image(test::head_model(), shot.picture, shot.points, {.expressions = 2, .steps = 3});
+  const FaceFit b = fit_image(small, shot.picture, shot.points, {.expressions = 2, .steps = 3});
+  EXPECT_TRUE(a.converged) << a.problem;
+  EXPECT_EQ(a.expression, b.expression);
+  EXPECT_EQ(a.identity, b.identity);
+  EXPECT_EQ(a.light.direction, b.light.direction);
+}
+
 // The same points under the names of the other side.
 Landmarks mirrored(const Landmarks& landmarks, int width_px) {
   Landmarks result = landmarks;
