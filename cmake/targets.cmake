@@ -29,7 +29,8 @@ target_compile_options(facegraph_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of its own std::string (GCC bug 105651)
   -march=x86-64-v3 -ffp-contract=off -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
-target_compile_definitions(facegraph_flags INTERFACE EIGEN_DONT_PARALLELIZE)
+# Eigen asks the processor for its caches and sums in blocks of that size: not asked, it sums in one order everywhere.
+target_compile_definitions(facegraph_flags INTERFACE EIGEN_DONT_PARALLELIZE EIGEN_NO_CPUID)
 target_include_directories(facegraph_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(FACEGRAPH_SANITIZE)
   target_compile_options(facegraph_flags INTERFACE -fsanitize=${FACEGRAPH_SANITIZE} -fno-omit-frame-pointer)
